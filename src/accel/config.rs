@@ -1,0 +1,66 @@
+//! How a structure is built.
+
+use obvhs::BvhBuildParams;
+
+/// How much time a build may take for a better tree: obvhs's presets.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Quality {
+    /// obvhs's `fastest_build`.
+    Fastest,
+    /// obvhs's `fast_build`.
+    Fast,
+    /// obvhs's `medium_build`.
+    #[default]
+    Medium,
+    /// obvhs's `slow_build`, without its pre-splits.
+    Slow,
+    /// obvhs's `very_slow_build`, without its pre-splits.
+    Slowest,
+}
+
+impl Quality {
+    /// All of them, the quickest build first.
+    pub const ALL: [Self; 5] = [Self::Fastest, Self::Fast, Self::Medium, Self::Slow, Self::Slowest];
+
+    /// The name on the command line and in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fastest => "fastest",
+            Self::Fast => "fast",
+            Self::Medium => "medium",
+            Self::Slow => "slow",
+            Self::Slowest => "slowest",
+        }
+    }
+
+    /// obvhs's parameters.
+    ///
+    /// Pre-splits are off in all of them: a split puts a primitive into boxes smaller than its
+    /// own, and a hit that its own box accepts could then be pruned. That would break equal hits.
+    pub(super) fn parameters(self) -> BvhBuildParams {
+        let preset = match self {
+            Self::Fastest => BvhBuildParams::fastest_build(),
+            Self::Fast => BvhBuildParams::fast_build(),
+            Self::Medium => BvhBuildParams::medium_build(),
+            Self::Slow => BvhBuildParams::slow_build(),
+            Self::Slowest => BvhBuildParams::very_slow_build(),
+        };
+        BvhBuildParams { pre_split: false, ..preset }
+    }
+}
+
+/// What a build is told beside the primitives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BuildConfig {
+    /// Time against quality.
+    pub quality: Quality,
+    /// The most primitives in a leaf, at least 1; structures with a smaller limit keep theirs.
+    pub max_leaf: u32,
+}
+
+impl Default for BuildConfig {
+    fn default() -> Self {
+        Self { quality: Quality::default(), max_leaf: 8 }
+    }
+}

@@ -1,0 +1,63 @@
+//! What a structure looks like: the facts that reports print beside its speed.
+
+/// How many leaves hold how many primitives: entry `n` counts the leaves with `n` primitives.
+pub type LeafHistogram = Vec<u64>;
+
+/// Size and form of a structure.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct StructureShape {
+    /// Inner nodes, the root included.
+    pub nodes: u64,
+    /// Leaves: ranges of primitives that are offered at once.
+    pub leaves: u64,
+    /// Steps from the root to the deepest leaf; 0 where there is no tree.
+    pub depth: u32,
+    /// Leaves by the number of primitives in them.
+    pub leaf_sizes: LeafHistogram,
+    /// Bytes of the index itself, without the primitives.
+    pub bytes: u64,
+}
+
+impl StructureShape {
+    /// Notes a leaf.
+    pub fn add_leaf(&mut self, primitives: u32, depth: u32) {
+        let size = primitives as usize;
+        if self.leaf_sizes.len() <= size {
+            self.leaf_sizes.resize(size + 1, 0);
+        }
+        self.leaf_sizes[size] += 1;
+        self.leaves += 1;
+        self.depth = self.depth.max(depth);
+    }
+
+    /// Adds what another structure is made of; the depth is that of the deeper one.
+    pub fn merge(&mut self, other: &Self) {
+        self.nodes += other.nodes;
+        self.leaves += other.leaves;
+        self.depth = self.depth.max(other.depth);
+        self.bytes += other.bytes;
+        if self.leaf_sizes.len() < other.leaf_sizes.len() {
+            self.leaf_sizes.resize(other.leaf_sizes.len(), 0);
+        }
+        for (sum, n) in self.leaf_sizes.iter_mut().zip(&other.leaf_sizes) {
+            *sum += n;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn leaves_are_counted_by_size() {
+        let mut a = StructureShape::default();
+        a.add_leaf(1, 3);
+        a.add_leaf(4, 2);
+        let mut b = StructureShape { nodes: 2, bytes: 64, ..StructureShape::default() };
+        b.add_leaf(1, 1);
+        b.merge(&a);
+        assert_eq!(b.leaf_sizes, [0, 2, 0, 0, 1]);
+        assert_eq!((b.nodes, b.leaves, b.depth, b.bytes), (2, 3, 3, 64));
+    }
+}

@@ -1,0 +1,173 @@
+//! The scene as written: validated plain data, with the place in the file that each entity came from.
+//!
+//! Made by [`scene_file`](crate::scene_file) or by hand; turned into what is traced by
+//! [`scene`](crate::scene). Lengths are in the scene's own unit, angles in degrees as written,
+//! colours linear. Every number here is finite, and within the bounds its field names.
+
+use std::ops::Range;
+
+use glam::{DAffine3, DVec3};
+
+use crate::math::Color;
+
+/// The bytes of the scene's text that an entity was read from. Empty for entities made by hand.
+pub type Span = Range<usize>;
+
+/// Everything a scene file says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneDescription {
+    /// How the scene is seen.
+    pub camera: Camera,
+    /// How it is rendered, unless the command line says otherwise.
+    pub options: Options,
+    /// The materials that objects refer to, each different from all before it.
+    pub materials: Vec<Material>,
+    /// The mesh files that objects refer to, each once.
+    pub meshes: Vec<MeshReference>,
+    /// The objects in the order of the file; an object's index is its id in every hit.
+    pub objects: Vec<Object>,
+    /// The lights in the order of the file.
+    pub lights: Vec<Light>,
+}
+
+/// The camera: an eye, an orthonormal frame and an image rectangle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Camera {
+    /// The eye, **e**.
+    pub eye: DVec3,
+    /// The direction of view, −**w**; of any length but 0.
+    pub direction: DVec3,
+    /// Fixes the upward direction; not parallel to `direction`.
+    pub up: DVec3,
+    /// Distance from the eye to the image plane; positive.
+    pub distance: f64,
+    /// Full vertical field of view in degrees; between 0 and 180, both excluded.
+    pub fovy_degrees: f64,
+    /// Width of the picture in pixels; at least 1.
+    pub width: u32,
+    /// Height of the picture in pixels; at least 1.
+    pub height: u32,
+}
+
+/// The rendering options of a scene file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// How many bounces (mirror or refraction) a view ray may take.
+    pub max_recursion: u32,
+    /// 0: one ray through the pixel's centre; n > 0: n × n jittered samples a pixel.
+    pub aa: u32,
+    /// What a ray that hits nothing sees.
+    pub background: Color,
+}
+
+/// How a surface answers light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// `ca`: the ambient light's colour.
+    pub ambient_light: Color,
+    /// `cr`: diffuse and ambient reflectance.
+    pub reflectance: Color,
+    /// `cp`: specular reflectance; black means neither highlight nor mirror.
+    pub specular: Color,
+    /// `shininess`: the Phong exponent; not negative.
+    pub shininess: f32,
+    /// `alpha`: opacity from 0 (clear) to 1 (opaque).
+    pub alpha: f32,
+    /// `ri`: index of refraction of the inside; positive.
+    pub refractive_index: f32,
+}
+
+impl Default for Material {
+    /// The material of the outermost level of a scene file.
+    fn default() -> Self {
+        Self {
+            ambient_light: Color::splat(0.1),
+            reflectance: Color::ONE,
+            specular: Color::ZERO,
+            shininess: 1.0,
+            alpha: 1.0,
+            refractive_index: 1.0,
+        }
+    }
+}
+
+/// A mesh file, by the name that the scene gives it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MeshReference {
+    /// As written: a path relative to the folder of the scene, or `generate:KIND:TRIANGLES[:SEED]`.
+    pub name: String,
+    /// Where the scene names it first.
+    pub span: Span,
+}
+
+/// Something that rays can hit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    /// Its form, in object space.
+    pub shape: Shape,
+    /// Object space to world space; invertible.
+    pub transform: DAffine3,
+    /// Index into [`SceneDescription::materials`].
+    pub material: usize,
+    /// The command that made it.
+    pub span: Span,
+}
+
+/// The forms of objects.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// A ball of positive radius.
+    Ball {
+        /// Its radius.
+        radius: f64,
+        /// Its centre in object space.
+        center: DVec3,
+    },
+    /// The canonical cylinder: radius 1 about the z axis from z = 0 to z = 1, with both caps.
+    Cylinder,
+    /// One triangle. Its corners are in world space: they were transformed as it was read, and the
+    /// object's transform is the identity.
+    Triangle {
+        /// The corners in world space.
+        corners: [DVec3; 3],
+    },
+    /// A mesh of triangles.
+    Mesh {
+        /// Index into [`SceneDescription::meshes`].
+        mesh: usize,
+        /// How its faces are shaded.
+        normals: Normals,
+    },
+}
+
+/// Which normals shade a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Normals {
+    /// `object_flat`: one normal a face.
+    Flat,
+    /// `object_phong`: the vertices' normals, interpolated over each face.
+    Interpolated,
+}
+
+/// Something that gives light.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Light {
+    /// Light from one point.
+    Point {
+        /// Where it is, in world space.
+        position: DVec3,
+        /// What it emits.
+        color: Color,
+    },
+    /// Light from a parallelogram: the square [−h, h]² of the plane z = 0, transformed.
+    Area {
+        /// Its centre in world space.
+        center: DVec3,
+        /// From the centre to the middle of one side: the image of (h, 0, 0).
+        half_u: DVec3,
+        /// From the centre to the middle of the next side: the image of (0, h, 0).
+        half_v: DVec3,
+        /// What the whole of it emits.
+        color: Color,
+    },
+}

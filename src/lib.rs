@@ -1,0 +1,14 @@
+//! srt: a ray tracer whose acceleration structure is a plug-in.
+//!
+//! The same scene renders to the same picture, bit for bit, whatever the structure, the number of
+//! threads or the instruction set; what differs is the speed, and that is what srt measures.
+//!
+//! The layers, from the file to the picture, and which of them may use which, are described in
+//! `ARCHITECTURE.md`; a test holds every `use crate::…` line to that table.
+
+pub mod accel;
+pub mod assets;
+pub mod counters;
+pub mod description;
+pub mod image_io;
+pub mod math;

@@ -1,0 +1,3 @@
+//! The command `srt`.
+
+fn main() {}

@@ -1,0 +1,81 @@
+//! Axis-aligned bounding boxes.
+
+use glam::Vec3A;
+
+/// The points between two corners, faces included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb {
+    /// The corner with the smallest coordinates.
+    pub min: Vec3A,
+    /// The corner with the largest coordinates.
+    pub max: Vec3A,
+}
+
+impl Aabb {
+    /// The box of no points: the neutral element of [`union`](Self::union).
+    pub const EMPTY: Self = Self { min: Vec3A::INFINITY, max: Vec3A::NEG_INFINITY };
+
+    /// The smallest box around some points.
+    #[must_use]
+    pub fn of_points(points: impl IntoIterator<Item = Vec3A>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
+    }
+
+    /// The smallest box around two boxes.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// Whether it holds no point.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        !self.min.cmple(self.max).all()
+    }
+
+    /// The middle of the box.
+    #[must_use]
+    pub fn center(&self) -> Vec3A {
+        // Halved before they are added: the sum of two large coordinates could overflow.
+        0.5 * self.min + 0.5 * self.max
+    }
+
+    /// Edge lengths.
+    #[must_use]
+    pub fn size(&self) -> Vec3A {
+        self.max - self.min
+    }
+
+    /// The largest absolute coordinate of any of its points; 0 for the empty box.
+    #[must_use]
+    pub fn largest_coordinate(&self) -> f32 {
+        if self.is_empty() { 0.0 } else { self.min.abs().max(self.max.abs()).max_element() }
+    }
+
+    /// The eight corners.
+    #[must_use]
+    pub fn corners(&self) -> [Vec3A; 8] {
+        std::array::from_fn(|i| {
+            let pick =
+                |axis: usize| if i >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] };
+            Vec3A::new(pick(0), pick(1), pick(2))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn union_and_corners_are_those_of_the_points() {
+        let a = Aabb::of_points([Vec3A::new(1.0, 2.0, 3.0), Vec3A::new(-1.0, 5.0, 0.0)]);
+        assert_eq!(a.min, Vec3A::new(-1.0, 2.0, 0.0));
+        assert_eq!(a.max, Vec3A::new(1.0, 5.0, 3.0));
+        assert_eq!(Aabb::of_points(a.corners()), a);
+        assert_eq!(a.union(Aabb::EMPTY), a);
+        assert_eq!(a.largest_coordinate(), 5.0);
+        assert!(Aabb::EMPTY.is_empty() && !a.is_empty());
+        assert_eq!(Aabb::EMPTY.largest_coordinate(), 0.0);
+    }
+}

@@ -1,0 +1,24 @@
+//! Rays, hits, boxes and transforms: the vocabulary that every layer shares.
+//!
+//! Knows nothing of structures, shapes, scenes or files. Coordinates that are traced are `f32`;
+//! what is computed once per scene or per hit is computed in `f64` and rounded at the end.
+
+mod aabb;
+mod box_ray;
+mod hash;
+mod hit;
+mod ray;
+mod transform;
+
+pub use aabb::Aabb;
+pub use box_ray::{BoxRay, Padding};
+pub use hash::{Random, hash_u64};
+pub use hit::{Hit, NONE};
+pub use ray::Ray;
+pub use transform::{ConditionError, Transform};
+
+/// The unit roundoff of `f32`: half the distance between 1 and the next float, 2⁻²⁴.
+pub const UNIT_ROUNDOFF: f64 = 1.0 / 16_777_216.0;
+
+/// A colour: linear red, green and blue, unclamped.
+pub type Color = glam::Vec3;
