@@ -12,3 +12,6 @@ pub mod counters;
 pub mod description;
 pub mod image_io;
 pub mod math;
+pub mod scene;
+pub mod shapes;
+pub mod simd;

@@ -11,17 +11,28 @@
 //! | `bvh.rs` | obvhs's binary tree |
 //! | `cwbvh.rs` | obvhs's compressed eight-wide tree |
 
+mod ball;
+mod bvh;
 mod config;
+mod cwbvh;
+mod indexed;
+mod none;
 mod shape;
 
 use std::ops::{ControlFlow, Range};
 
 use glam::Vec3A;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::counters::{Counters, Counts};
 use crate::math::{Aabb, BoxRay, Hit, Padding, Ray};
 
+pub use ball::BoundingBall;
+pub use bvh::Bvh;
 pub use config::{BuildConfig, Quality};
+pub use cwbvh::CompressedWideBvh;
+pub use indexed::Indexed;
+pub use none::Exhaustive;
 pub use shape::{LeafHistogram, StructureShape};
 
 /// A set of things with boxes: all that a structure is built from.
@@ -32,6 +43,11 @@ pub trait Bounded: Sync {
     fn bounds(&self, index: u32) -> Aabb;
     /// The mean of the points that define them; for triangles, of the mesh's vertices.
     fn mean_point(&self) -> Vec3A;
+
+    /// How many slots are tested at once: ranges that begin at a multiple of it are the cheapest.
+    fn lanes(&self) -> u32 {
+        1
+    }
 
     /// The box around all.
     fn total_bounds(&self) -> Aabb {
@@ -46,32 +62,40 @@ pub trait Bounded: Sync {
 /// or of a box around it, ends before `ray.t_min` or begins behind the current end of the search.
 /// The comparison is inclusive: a box that begins *at* the end is visited, because a tie in `t` is
 /// decided by the primitives' ids. Boxes that are stored with less precision than `f32` are tested
-/// with a wider padding ([`Padding::scaled`]).
+/// with a wider padding ([`BoxRay::widened`]).
 ///
 /// Primitives count a hit only inside the interval of their own box, and [`BoxRay::interval`] is
 /// monotone to the bit, so nothing that counts is ever left out, and every structure that keeps
 /// the contract returns the same hits as [`Exhaustive`].
 pub trait Accel: Sized + Send + Sync {
     /// Builds the index. `primitives` may be empty.
-    fn build(primitives: &impl Bounded, config: &BuildConfig) -> Self;
-
-    /// Slot → primitive id, where the build put the primitives into an order of its own.
-    fn order(&self) -> Option<&[u32]>;
+    fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self>;
 
     /// Offers ranges of slots that the ray may hit, near ones first where it can.
     ///
     /// The search starts at `ray.t_max`. `leaf` tests a range and returns the new end of the
-    /// search (at most the one before), or breaks to end it.
+    /// search (at most the one before), or breaks to end it. `box_ray` is the ray with the padding
+    /// of the primitives.
     fn traverse<C: Counters>(
         &self,
         ray: &Ray,
+        box_ray: &BoxRay,
         counters: &mut C,
-        padding: Padding,
-        leaf: impl FnMut(Range<u32>, &BoxRay, &mut C) -> ControlFlow<(), f32>,
+        leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
     );
 
     /// Nodes, leaves, depth and bytes.
     fn shape(&self) -> StructureShape;
+}
+
+/// What a build returns.
+#[derive(Debug)]
+pub struct Built<A> {
+    /// The structure.
+    pub accel: A,
+    /// Slot → primitive index, where the structure wants an order of its own;
+    /// [`NONE`](crate::math::NONE) for a slot that stays empty.
+    pub order: Option<Vec<u32>>,
 }
 
 /// Primitives in slot order, with the formula that all structures share.
@@ -79,8 +103,8 @@ pub trait Primitives: Bounded + Send + Sync {
     /// The padding that every box test of these primitives uses.
     fn padding(&self) -> Padding;
 
-    /// Puts the primitives into the order of a structure: slot `i` gets primitive `order[i]`.
-    /// Hits go on to speak of ids.
+    /// Puts the primitives into the order of a structure: slot `i` gets primitive `order[i]`, or
+    /// stays empty. Hits go on to speak of ids: the indices before any reordering.
     fn reorder(&mut self, order: &[u32]);
 
     /// Replaces `best` by the first hit in the order `(t, object, prim)` among some slots and
@@ -120,4 +144,15 @@ pub trait Tracer: Send + Sync {
     /// # Panics
     /// If the slices differ in length.
     fn occluded(&self, rays: &[Ray], blocked: &mut [bool], counts: Option<&mut Counts>);
+}
+
+/// The primitives' boxes as obvhs's builders take them.
+fn obvhs_boxes(primitives: &impl Bounded) -> Vec<obvhs::aabb::Aabb> {
+    (0..primitives.count())
+        .into_par_iter()
+        .map(|i| {
+            let Aabb { min, max } = primitives.bounds(i);
+            obvhs::aabb::Aabb { min, max }
+        })
+        .collect()
 }

@@ -29,12 +29,6 @@ impl Padding {
     pub fn of_bounds(bounds: &Aabb) -> Self {
         Self { largest: bounds.largest_coordinate(), factor: 1.0 }
     }
-
-    /// The same with `times` the width: for boxes that are stored with less precision.
-    #[must_use]
-    pub fn scaled(self, times: f32) -> Self {
-        Self { factor: self.factor * times, ..self }
-    }
 }
 
 /// A ray as boxes see it.
@@ -47,6 +41,8 @@ pub struct BoxRay {
     pub origin_plus: Vec3A,
     /// origin − padding.
     pub origin_minus: Vec3A,
+    /// The padding, a length.
+    pub pad: f32,
 }
 
 impl BoxRay {
@@ -56,12 +52,27 @@ impl BoxRay {
     pub fn new(ray: &Ray, padding: Padding) -> Self {
         let origin = Vec3A::from(ray.origin);
         let reach = padding.largest + origin.abs().max_element();
-        let pad = Vec3A::splat(16.0 * f32::EPSILON * padding.factor * reach);
+        let pad = 16.0 * f32::EPSILON * padding.factor * reach;
         let inv_dir = Vec3A::ONE / Vec3A::from(ray.dir);
         Self {
             inv_dir: inv_dir.clamp(Vec3A::splat(-f32::MAX), Vec3A::splat(f32::MAX)),
-            origin_plus: origin + pad,
-            origin_minus: origin - pad,
+            origin_plus: origin + Vec3A::splat(pad),
+            origin_minus: origin - Vec3A::splat(pad),
+            pad,
+        }
+    }
+
+    /// The same ray with `extra` times its padding added: for boxes that are stored or tested with
+    /// less precision than the primitives' own. Its intervals contain those of `self`.
+    #[inline]
+    #[must_use]
+    pub fn widened(&self, extra: f32) -> Self {
+        let more = Vec3A::splat(extra * self.pad);
+        Self {
+            origin_plus: self.origin_plus + more,
+            origin_minus: self.origin_minus - more,
+            pad: self.pad + extra * self.pad,
+            ..*self
         }
     }
 
@@ -83,5 +94,66 @@ impl BoxRay {
     pub fn accepts(&self, aabb: &Aabb, t: f32) -> bool {
         let (near, far) = self.interval(aabb);
         near <= t && t <= far
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Random;
+    use glam::Vec3;
+
+    const UNIT: Padding = Padding { largest: 1.0, factor: 1.0 };
+
+    fn unit_box() -> Aabb {
+        Aabb { min: Vec3A::splat(-1.0), max: Vec3A::splat(1.0) }
+    }
+
+    #[test]
+    fn the_interval_of_a_box_is_where_the_ray_crosses_its_planes() {
+        let ray = Ray::new(Vec3::new(-3.0, 0.5, 0.0), Vec3::new(2.0, 0.0, 0.0));
+        let (near, far) = BoxRay::new(&ray, UNIT).interval(&unit_box());
+        assert!((near - 1.0).abs() < 1e-5 && (far - 2.0).abs() < 1e-5, "{near} {far}");
+    }
+
+    #[test]
+    fn a_ray_beside_a_box_misses_it_even_where_it_runs_along_an_axis() {
+        for zero in [0.0, -0.0] {
+            let ray = Ray::new(Vec3::new(-3.0, 1.5, 0.0), Vec3::new(1.0, zero, zero));
+            let (near, far) = BoxRay::new(&ray, UNIT).interval(&unit_box());
+            assert!(near > far, "{near} {far}");
+        }
+    }
+
+    #[test]
+    fn a_ray_in_the_plane_of_a_face_hits_and_is_never_nan() {
+        for zero in [0.0, -0.0] {
+            let ray = Ray::new(Vec3::new(-3.0, 1.0, 1.0), Vec3::new(1.0, zero, zero));
+            let (near, far) = BoxRay::new(&ray, UNIT).interval(&unit_box());
+            assert!(near <= 2.0 && far >= 4.0, "{near} {far}");
+        }
+    }
+
+    #[test]
+    fn enclosing_boxes_have_enclosing_intervals_to_the_bit() {
+        let mut random = Random::new(&[3]);
+        let mut point = |scale: f32| {
+            Vec3A::from_array(std::array::from_fn(|_| (random.next_f32() - 0.5) * scale))
+        };
+        for _ in 0..20_000 {
+            let inner = Aabb::of_points([point(2.0), point(2.0)]);
+            let outer = inner.union(Aabb::of_points([point(4.0)]));
+            let mut dir = Vec3::from(point(2.0));
+            if dir.x > 0.5 {
+                dir.y = 0.0;
+            }
+            let ray = Ray::new(Vec3::from(point(6.0)), dir);
+            let padding = Padding::of_bounds(&outer);
+            let box_ray = BoxRay::new(&ray, padding);
+            let (near, far) = box_ray.interval(&inner);
+            for wider in [box_ray.interval(&outer), box_ray.widened(1.0).interval(&inner)] {
+                assert!(wider.0 <= near && far <= wider.1);
+            }
+        }
     }
 }

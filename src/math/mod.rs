@@ -15,7 +15,8 @@ pub use box_ray::{BoxRay, Padding};
 pub use hash::{Random, hash_u64};
 pub use hit::{Hit, NONE};
 pub use ray::Ray;
-pub use transform::{ConditionError, Transform};
+pub(crate) use transform::outward_box;
+pub use transform::{ConditionError, RayToObject, Transform};
 
 /// The unit roundoff of `f32`: half the distance between 1 and the next float, 2⁻²⁴.
 pub const UNIT_ROUNDOFF: f64 = 1.0 / 16_777_216.0;

@@ -24,7 +24,7 @@ pub struct Transform {
     pub object_from_world: DAffine3,
     /// The inverse transpose of the linear part: carries normals to the world.
     pub normal_to_world: DMat3,
-    ray_to_object: Affine3A,
+    ray_to_object: RayToObject,
     amplification: f64,
 }
 
@@ -36,8 +36,8 @@ impl Transform {
     pub fn new(world_from_object: DAffine3) -> Result<Self, ConditionError> {
         let determinant = world_from_object.matrix3.determinant();
         let object_from_world = world_from_object.inverse();
-        let ray_to_object = rounded(&object_from_world);
-        if determinant == 0.0 || !determinant.is_finite() || !ray_to_object.is_finite() {
+        let ray_to_object = RayToObject(rounded(&object_from_world));
+        if determinant == 0.0 || !determinant.is_finite() || !ray_to_object.0.is_finite() {
             return Err(ConditionError { determinant });
         }
         let forward = world_from_object.matrix3.abs();
@@ -60,13 +60,10 @@ impl Transform {
         self.amplification
     }
 
-    /// The ray in object space. Its direction is not renormalised, so `t` stays what it was.
-    #[inline]
+    /// What carries rays to object space.
     #[must_use]
-    pub fn ray_to_object(&self, ray: &Ray) -> Ray {
-        let origin = self.ray_to_object.transform_point3a(Vec3A::from(ray.origin));
-        let dir = self.ray_to_object.transform_vector3a(Vec3A::from(ray.dir));
-        Ray { origin: origin.into(), dir: dir.into(), ..*ray }
+    pub fn ray_to_object(&self) -> RayToObject {
+        self.ray_to_object
     }
 
     /// A box around the transformed box, rounded outwards.
@@ -91,6 +88,21 @@ impl Transform {
         let object_error =
             6.0 * UNIT_ROUNDOFF * (back.matrix3.abs() * world_point.abs() + back.translation.abs());
         self.world_from_object.matrix3.abs() * object_error
+    }
+}
+
+/// Carries rays to an object's space: the only part of a [`Transform`] that a search needs.
+#[derive(Clone, Copy, Debug)]
+pub struct RayToObject(Affine3A);
+
+impl RayToObject {
+    /// The ray in object space. Its direction is not renormalised, so `t` stays what it was.
+    #[inline]
+    #[must_use]
+    pub fn apply(&self, ray: &Ray) -> Ray {
+        let origin = self.0.transform_point3a(Vec3A::from(ray.origin));
+        let dir = self.0.transform_vector3a(Vec3A::from(ray.dir));
+        Ray { origin: origin.into(), dir: dir.into(), ..*ray }
     }
 }
 
@@ -136,7 +148,7 @@ mod tests {
         );
         let transform = Transform::new(m).unwrap();
         let ray = Ray::new(Vec3::new(1.0, 2.0, 3.0), Vec3::new(-0.3, 0.9, 2.0));
-        let object = transform.ray_to_object(&ray);
+        let object = transform.ray_to_object().apply(&ray);
         for t in [0.0, 0.5, 4.0] {
             let back = m.transform_point3(object.at(t).as_dvec3());
             assert!((back - ray.at(t).as_dvec3()).length() < 1e-5);

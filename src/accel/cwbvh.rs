@@ -1,0 +1,190 @@
+//! obvhs's compressed eight-wide tree, walked by this project's own slab test.
+//!
+//! Ylitie, Karras, Laine: *Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
+//! BVHs*, 2017. The children's boxes of a node are stored as bytes on a grid over the node's box.
+//! obvhs's own traversal starts every box at t = 10⁻⁴, prunes without padding and holds 32 stack
+//! entries; the walk below tests the decoded boxes by the common slab formula, with the padding
+//! doubled for what the grid's arithmetic rounds, on a stack that grows with the tree.
+
+use std::ops::{ControlFlow, Range};
+
+use glam::Vec3A;
+use obvhs::cwbvh::builder::build_cwbvh;
+use obvhs::cwbvh::node::CwBvhNode;
+use smallvec::SmallVec;
+
+use crate::counters::Counters;
+use crate::math::{BoxRay, Ray};
+
+use super::{Accel, Bounded, BuildConfig, Built, StructureShape, obvhs_boxes};
+
+const WIDTH: usize = 8;
+
+/// Seven of eight children wait at each level: enough for eight levels before the heap is used.
+const USUAL_STACK: usize = 64;
+
+/// A tree of eight-wide nodes of 80 bytes.
+#[derive(Clone, Debug)]
+pub struct CompressedWideBvh {
+    nodes: Vec<CwBvhNode>,
+}
+
+impl Accel for CompressedWideBvh {
+    fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self> {
+        if primitives.count() == 0 {
+            return Built { accel: Self { nodes: Vec::new() }, order: Some(Vec::new()) };
+        }
+        let mut parameters = config.quality.parameters();
+        parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(config.max_leaf);
+        let boxes = obvhs_boxes(primitives);
+        let tree = build_cwbvh(&boxes, parameters, &mut std::time::Duration::default());
+        let mut nodes = tree.nodes;
+        nodes.shrink_to_fit();
+        Built { accel: Self { nodes }, order: Some(tree.primitive_indices) }
+    }
+
+    #[inline]
+    fn traverse<C: Counters>(
+        &self,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        counters: &mut C,
+        mut leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
+    ) {
+        if self.nodes.is_empty() {
+            return;
+        }
+        let grid_ray = GridRay::new(box_ray);
+        let mut end = ray.t_max;
+        let mut stack = SmallVec::<[(u32, f32); USUAL_STACK]>::new();
+        stack.push((0, ray.t_min));
+        while let Some((index, near)) = stack.pop() {
+            if near > end {
+                continue;
+            }
+            let node = &self.nodes[index as usize];
+            let children = grid_ray.children(node, ray.t_min, end);
+            counters.boxes(children.tested);
+            // Leaves first: they can only shorten the search. The comparison with `end` is made
+            // again for each, since the ones before may have.
+            for child in bits(children.hit & !node.imask) {
+                if children.near[child] <= end {
+                    let (first, count) = node.child_primitives(child);
+                    match leaf(first..first + count, counters) {
+                        ControlFlow::Continue(t) => end = t,
+                        ControlFlow::Break(()) => return,
+                    }
+                }
+            }
+            // A child's position in the node is the octant it lies in; the smallest difference
+            // from where the ray goes to is the farthest child, and is pushed first.
+            let inner = children.hit & node.imask;
+            for place in 0..WIDTH {
+                let child = place ^ grid_ray.far_octant;
+                if inner >> child & 1 != 0 {
+                    stack.push((node.child_node_index(child), children.near[child]));
+                }
+            }
+        }
+    }
+
+    fn shape(&self) -> StructureShape {
+        let mut shape = StructureShape::default();
+        let mut open = if self.nodes.is_empty() { vec![] } else { vec![(0, 0)] };
+        while let Some((index, depth)) = open.pop() {
+            let node: &CwBvhNode = &self.nodes[index as usize];
+            shape.nodes += 1;
+            for child in (0..WIDTH).filter(|&child| !node.is_child_empty(child)) {
+                if node.is_leaf(child) {
+                    shape.add_leaf(node.child_primitives(child).1, depth + 1);
+                } else {
+                    open.push((node.child_node_index(child), depth + 1));
+                }
+            }
+        }
+        shape.bytes = (size_of::<Self>() + self.nodes.capacity() * size_of::<CwBvhNode>()) as u64;
+        shape
+    }
+}
+
+/// The positions of the ones of a mask, the lowest first.
+fn bits(mut mask: u8) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lowest = (mask != 0).then(|| mask.trailing_zeros() as usize);
+        mask &= mask.wrapping_sub(1);
+        lowest
+    })
+}
+
+/// What a node's children are to a ray.
+struct Children {
+    near: [f32; WIDTH],
+    hit: u8,
+    tested: u32,
+}
+
+/// A ray as the grid boxes of a node see it.
+struct GridRay {
+    inv_dir: Vec3A,
+    /// What the planes at which the ray enters, and leaves, are measured from.
+    near_origin: Vec3A,
+    far_origin: Vec3A,
+    negative: [bool; 3],
+    /// The octant whose child is the last that the ray reaches.
+    far_octant: usize,
+}
+
+impl GridRay {
+    fn new(box_ray: &BoxRay) -> Self {
+        let wide = box_ray.widened(1.0);
+        let negative = wide.inv_dir.to_array().map(f32::is_sign_negative);
+        let pick = |plus: Vec3A, minus: Vec3A| {
+            let axis = |i: usize| if negative[i] { minus[i] } else { plus[i] };
+            Vec3A::new(axis(0), axis(1), axis(2))
+        };
+        let [x, y, z] = negative.map(usize::from);
+        Self {
+            inv_dir: wide.inv_dir,
+            near_origin: pick(wide.origin_plus, wide.origin_minus),
+            far_origin: pick(wide.origin_minus, wide.origin_plus),
+            negative,
+            far_octant: 7 - (x << 2 | y << 1 | z),
+        }
+    }
+
+    /// Tests the eight children of a node; written so that a compiler makes lanes of the loops.
+    #[inline]
+    fn children(&self, node: &CwBvhNode, t_min: f32, end: f32) -> Children {
+        let axes = [
+            (&node.child_min_x, &node.child_max_x),
+            (&node.child_min_y, &node.child_max_y),
+            (&node.child_min_z, &node.child_max_z),
+        ];
+        let corner = node.p.to_array();
+        let cell = node.compute_extent().to_array();
+        let mut near = [t_min; WIDTH];
+        let mut far = [end; WIDTH];
+        for axis in 0..3 {
+            let (min, max) = axes[axis];
+            let (enter, leave) = if self.negative[axis] { (max, min) } else { (min, max) };
+            let (near_origin, far_origin) = (self.near_origin[axis], self.far_origin[axis]);
+            let inv_dir = self.inv_dir[axis];
+            for i in 0..WIDTH {
+                let plane = f32::from(enter[i]) * cell[axis] + corner[axis];
+                let t = (plane - near_origin) * inv_dir;
+                near[i] = if t > near[i] { t } else { near[i] };
+                let plane = f32::from(leave[i]) * cell[axis] + corner[axis];
+                let t = (plane - far_origin) * inv_dir;
+                far[i] = if t < far[i] { t } else { far[i] };
+            }
+        }
+        let mut hit = 0;
+        let mut tested = 0;
+        for i in 0..WIDTH {
+            let present = node.child_meta[i] != 0;
+            tested += u32::from(present);
+            hit |= u8::from(present & (near[i] <= far[i])) << i;
+        }
+        Children { near, hit, tested }
+    }
+}

@@ -1,0 +1,38 @@
+//! No structure: every primitive is offered to every ray. The definition of the right answer.
+
+use std::ops::{ControlFlow, Range};
+
+use crate::counters::Counters;
+use crate::math::{BoxRay, Ray};
+
+use super::{Accel, Bounded, BuildConfig, Built, StructureShape};
+
+/// Offers everything.
+#[derive(Clone, Copy, Debug)]
+pub struct Exhaustive {
+    count: u32,
+}
+
+impl Accel for Exhaustive {
+    fn build(primitives: &impl Bounded, _: &BuildConfig) -> Built<Self> {
+        Built { accel: Self { count: primitives.count() }, order: None }
+    }
+
+    #[inline]
+    fn traverse<C: Counters>(
+        &self,
+        _: &Ray,
+        _: &BoxRay,
+        counters: &mut C,
+        mut leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
+    ) {
+        let _ = leaf(0..self.count, counters);
+    }
+
+    fn shape(&self) -> StructureShape {
+        let mut shape = StructureShape::default();
+        shape.add_leaf(self.count, 0);
+        shape.bytes = size_of::<Self>() as u64;
+        shape
+    }
+}

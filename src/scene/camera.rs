@@ -1,0 +1,108 @@
+//! The camera: from a point of the picture to a ray.
+
+use glam::{DVec3, Vec3};
+
+use crate::description;
+use crate::math::Ray;
+
+use super::SceneError;
+
+/// A pinhole camera with an orthonormal frame (e, u, v, w).
+///
+/// A point (i, j) of the picture, in pixels from the centre of the lower left one, is seen along
+/// **s** − **e** with **s** = **e** + u·**u** + v·**v** − n·**w**; the frame is scaled so that one
+/// step in i or j is one pixel.
+#[derive(Clone, Debug)]
+pub struct Camera {
+    /// Width of the picture in pixels.
+    pub width: u32,
+    /// Height of the picture in pixels.
+    pub height: u32,
+    eye: Vec3,
+    corner: DVec3,
+    step_right: DVec3,
+    step_up: DVec3,
+    description: description::Camera,
+}
+
+impl Camera {
+    /// Sets up the frame of a camera.
+    ///
+    /// # Errors
+    /// If the direction is zero or parallel to the up vector.
+    pub fn new(camera: &description::Camera) -> Result<Self, SceneError> {
+        let w = -camera.direction.try_normalize().ok_or(SceneError::Camera)?;
+        let u = camera.up.cross(w).try_normalize().ok_or(SceneError::Camera)?;
+        let v = w.cross(u);
+        let (nx, ny) = (f64::from(camera.width), f64::from(camera.height));
+        let top = camera.distance * (0.5 * camera.fovy_degrees.to_radians()).tan();
+        let pixel = 2.0 * top / ny;
+        // Pixel (−½, −½) is the corner (l, b) of the image rectangle.
+        let corner =
+            -camera.distance * w - (0.5 * nx - 0.5) * pixel * u - (0.5 * ny - 0.5) * pixel * v;
+        Ok(Self {
+            width: camera.width,
+            height: camera.height,
+            eye: camera.eye.as_vec3(),
+            corner,
+            step_right: pixel * u,
+            step_up: pixel * v,
+            description: camera.clone(),
+        })
+    }
+
+    /// The same view in a picture of another size. The vertical field of view stays.
+    #[must_use]
+    pub fn resized(&self, width: u32, height: u32) -> Self {
+        let camera = description::Camera { width, height, ..self.description.clone() };
+        Self::new(&camera).unwrap_or_else(|_| self.clone())
+    }
+
+    /// The ray through a point of the picture: i from the left, j from the bottom, in pixels, the
+    /// centre of the lower left pixel being (0, 0). Hits count from the eye on.
+    #[inline]
+    #[must_use]
+    pub fn ray(&self, i: f64, j: f64) -> Ray {
+        Ray::new(self.eye, (self.corner + i * self.step_right + j * self.step_up).as_vec3())
+    }
+
+    /// The eye.
+    #[must_use]
+    pub fn eye(&self) -> Vec3 {
+        self.eye
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn camera() -> description::Camera {
+        description::Camera {
+            eye: DVec3::new(0.0, -2.0, 1.0),
+            direction: DVec3::new(0.0, 3.0, 0.0),
+            up: DVec3::new(0.0, 1.0, 5.0),
+            distance: 2.0,
+            fovy_degrees: 90.0,
+            width: 4,
+            height: 2,
+        }
+    }
+
+    #[test]
+    fn corners_of_the_picture_are_corners_of_the_image_rectangle() {
+        let c = Camera::new(&camera()).unwrap();
+        // n = 2, t = 2·tan 45° = 2, r = t·nx/ny = 4.
+        let near = |i, j, s: Vec3| (c.ray(i, j).at(1.0) - s).length() < 1e-5;
+        assert!(near(-0.5, -0.5, Vec3::new(-4.0, 0.0, -1.0)));
+        assert!(near(3.5, 1.5, Vec3::new(4.0, 0.0, 3.0)));
+        assert!(near(1.5, 0.5, Vec3::new(0.0, 0.0, 1.0)));
+    }
+
+    #[test]
+    fn a_degenerate_frame_is_refused() {
+        let mut parallel = camera();
+        parallel.up = DVec3::new(0.0, -1.0, 0.0);
+        assert_eq!(Camera::new(&parallel).unwrap_err(), SceneError::Camera);
+    }
+}

@@ -1,0 +1,77 @@
+//! The scene as traced: a description and its meshes, compiled; and the worlds made of it.
+//!
+//! [`Scene`] is what all structures share: objects, materials, lights, camera. A *world* is a scene
+//! with a structure built over it, on two levels: one over the objects, one over the triangles of
+//! each mesh. What rays hit is asked of the world; what a hit means, of the scene.
+
+mod camera;
+mod compile;
+mod error;
+mod lights;
+mod object;
+mod object_list;
+mod structures;
+mod surface;
+mod world;
+
+use std::sync::Arc;
+
+use crate::assets::MeshData;
+use crate::description::{Material, Options};
+use crate::math::Aabb;
+
+pub use camera::Camera;
+pub use error::SceneError;
+pub use lights::Light;
+pub use object::{Form, Object};
+pub use object_list::ObjectList;
+pub use structures::{STRUCTURES, Structure, structure_named};
+pub use surface::Surface;
+pub use world::{BuildReport, TracedWorld, World};
+
+/// A scene, compiled: plain data in the world's space, ready to be indexed and traced.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// How it is seen.
+    pub camera: Camera,
+    /// What the scene file says about rendering.
+    pub options: Options,
+    /// What the objects are made of.
+    pub materials: Vec<Material>,
+    /// What rays hit; an object's index is its id in every hit.
+    pub objects: Vec<Object>,
+    /// What gives light.
+    pub lights: Vec<Light>,
+    meshes: Vec<Arc<MeshData>>,
+}
+
+impl Scene {
+    /// The box around all objects; empty if there are none.
+    #[must_use]
+    pub fn bounds(&self) -> Aabb {
+        self.objects.iter().map(|object| object.bounds).fold(Aabb::EMPTY, Aabb::union)
+    }
+
+    /// The meshes, as objects refer to them.
+    #[must_use]
+    pub fn meshes(&self) -> &[Arc<MeshData>] {
+        &self.meshes
+    }
+
+    /// How many triangles there are, a mesh counted for each object that is made of it.
+    #[must_use]
+    pub fn triangle_count(&self) -> u64 {
+        let of_object = |object: &Object| match object.form {
+            Form::Triangle(_) => 1,
+            Form::Mesh { mesh, .. } => self.meshes[mesh].triangles.len() as u64,
+            Form::Ball(_) | Form::Cylinder => 0,
+        };
+        self.objects.iter().map(of_object).sum()
+    }
+
+    /// Whether any material lets light through.
+    #[must_use]
+    pub fn has_transparency(&self) -> bool {
+        self.objects.iter().any(|object| self.materials[object.material].alpha < 1.0)
+    }
+}

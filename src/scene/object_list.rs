@@ -1,0 +1,223 @@
+//! The objects of a scene as primitives: the upper of the two levels.
+//!
+//! An object takes the ray to its own space, without renormalising, and asks its formula, or its
+//! mesh's own structure. A hit counts only within the interval of the object's box in the world,
+//! which is what a structure over the objects prunes by. The list itself prunes nothing, so that
+//! `none` means none.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use glam::Vec3A;
+
+use crate::accel::{Accel, Bounded, Indexed, Primitives};
+use crate::counters::Counters;
+use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray, RayToObject};
+use crate::shapes::{Ball, Cylinder, Triangle, TriangleSet};
+
+use super::{Form, Scene};
+
+/// Paddings grow with how much a transform amplifies rounding, up to this: beyond, an object is so
+/// nearly flat that its own hits are noise.
+const LARGEST_AMPLIFICATION: f64 = 1e4;
+
+/// The objects of a scene, their meshes indexed by `A`. Empty slots are not supported, and not
+/// needed: objects are tested one by one.
+#[derive(Clone, Debug)]
+pub struct ObjectList<A> {
+    objects: Vec<Placed<A>>,
+    padding: Padding,
+}
+
+/// An object as a ray meets it.
+#[derive(Clone, Debug)]
+struct Placed<A> {
+    bounds: Aabb,
+    to_object: Option<Box<RayToObject>>,
+    form: PlacedForm<A>,
+    id: u32,
+}
+
+#[derive(Clone, Debug)]
+enum PlacedForm<A> {
+    Ball(Ball),
+    Cylinder,
+    Triangle(Triangle),
+    Mesh(Arc<Indexed<TriangleSet, A>>),
+}
+
+impl<A: Accel> ObjectList<A> {
+    /// The objects of a scene; `meshes` are the scene's, indexed, in its order.
+    ///
+    /// # Panics
+    /// If there are 2³² − 1 objects or more.
+    #[must_use]
+    pub fn new(scene: &Scene, meshes: &[Arc<Indexed<TriangleSet, A>>]) -> Self {
+        assert!(scene.objects.len() < NONE as usize, "fewer than 2^32 - 1 objects");
+        let amplification = scene
+            .objects
+            .iter()
+            .filter_map(|object| object.transform.as_ref())
+            .map(|transform| transform.amplification())
+            .fold(1.0, f64::max)
+            .min(LARGEST_AMPLIFICATION);
+        let place = |(id, object): (usize, &super::Object)| Placed {
+            bounds: object.bounds,
+            to_object: object.transform.as_ref().map(|t| Box::new(t.ray_to_object())),
+            form: match object.form {
+                Form::Ball(ball) => PlacedForm::Ball(ball),
+                Form::Cylinder => PlacedForm::Cylinder,
+                Form::Triangle(triangle) => PlacedForm::Triangle(triangle),
+                Form::Mesh { mesh, .. } => PlacedForm::Mesh(Arc::clone(&meshes[mesh])),
+            },
+            id: id as u32,
+        };
+        Self {
+            objects: scene.objects.iter().enumerate().map(place).collect(),
+            padding: Padding {
+                largest: scene.bounds().largest_coordinate(),
+                factor: amplification as f32,
+            },
+        }
+    }
+}
+
+impl<A: Accel> Bounded for ObjectList<A> {
+    fn count(&self) -> u32 {
+        self.objects.len() as u32
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.objects[index as usize].bounds
+    }
+
+    fn mean_point(&self) -> Vec3A {
+        let sum = self.objects.iter().map(|object| object.bounds.center()).sum::<Vec3A>();
+        sum / self.objects.len().max(1) as f32
+    }
+}
+
+impl<A: Accel> Primitives for ObjectList<A> {
+    fn padding(&self) -> Padding {
+        self.padding
+    }
+
+    fn reorder(&mut self, order: &[u32]) {
+        let mut old: Vec<_> = std::mem::take(&mut self.objects).into_iter().map(Some).collect();
+        self.objects = order.iter().filter_map(|&from| old[from as usize].take()).collect();
+    }
+
+    #[inline]
+    fn intersect<C: Counters>(
+        &self,
+        slots: Range<u32>,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        best: &mut Hit,
+        counters: &mut C,
+    ) {
+        for object in &self.objects[slots.start as usize..slots.end as usize] {
+            if let Some(hit) = object.closest(ray, box_ray, best.t, counters) {
+                if hit.precedes(best) {
+                    *best = hit;
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn occluded<C: Counters>(
+        &self,
+        slots: Range<u32>,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        counters: &mut C,
+    ) -> bool {
+        self.objects[slots.start as usize..slots.end as usize]
+            .iter()
+            .any(|object| object.blocks(ray, box_ray, counters))
+    }
+}
+
+impl<A: Accel> Placed<A> {
+    /// The first hit on this object up to `t_max`.
+    #[inline]
+    fn closest<C: Counters>(
+        &self,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        t_max: f32,
+        counters: &mut C,
+    ) -> Option<Hit> {
+        let (near, far) = box_ray.interval(&self.bounds);
+        let own = self.own_ray(ray, near, far.min(t_max));
+        let flat = |(t, prim)| Hit { t, object: self.id, prim, u: 0.0, v: 0.0 };
+        match &self.form {
+            PlacedForm::Ball(ball) => {
+                counters.primitives(1);
+                first_of(&own, ball_crossing(ball, &own)?).map(flat)
+            }
+            PlacedForm::Cylinder => {
+                counters.primitives(1);
+                first_of(&own, Cylinder::crossing(&own)?).map(flat)
+            }
+            PlacedForm::Triangle(triangle) => {
+                counters.primitives(1);
+                let (t, u, v) = triangle.intersect(&own)?;
+                Some(Hit { t, object: self.id, prim: 0, u, v })
+            }
+            PlacedForm::Mesh(mesh) => {
+                let hit = mesh.closest(&own, counters);
+                hit.is_hit().then_some(Hit { object: self.id, ..hit })
+            }
+        }
+    }
+
+    /// Whether this object has a hit on the ray.
+    #[inline]
+    fn blocks<C: Counters>(&self, ray: &Ray, box_ray: &BoxRay, counters: &mut C) -> bool {
+        let (near, far) = box_ray.interval(&self.bounds);
+        let own = self.own_ray(ray, near, far.min(ray.t_max));
+        match &self.form {
+            PlacedForm::Ball(ball) => {
+                counters.primitives(1);
+                ball_crossing(ball, &own).is_some_and(|c| first_of(&own, c).is_some())
+            }
+            PlacedForm::Cylinder => {
+                counters.primitives(1);
+                Cylinder::crossing(&own).is_some_and(|c| first_of(&own, c).is_some())
+            }
+            PlacedForm::Triangle(triangle) => {
+                counters.primitives(1);
+                triangle.intersect(&own).is_some()
+            }
+            PlacedForm::Mesh(mesh) => mesh.blocked(&own, counters),
+        }
+    }
+
+    /// The ray in the object's own space, cut to the interval of the object's box.
+    ///
+    /// The interval may be empty; then nothing counts, but the object's own structure is asked all
+    /// the same: what to skip is a structure's to decide.
+    #[inline(always)]
+    fn own_ray(&self, ray: &Ray, near: f32, far: f32) -> Ray {
+        let cut = Ray { t_min: ray.t_min.max(near), t_max: far, ..*ray };
+        match &self.to_object {
+            Some(to_object) => to_object.apply(&cut),
+            None => cut,
+        }
+    }
+}
+
+/// A ball's crossing in the form of all closed shapes: two parameters, each with its part.
+#[inline(always)]
+fn ball_crossing(ball: &Ball, ray: &Ray) -> Option<[(f32, u32); 2]> {
+    let (enter, leave) = ball.crossing(ray)?;
+    Some([(enter, 0), (leave, 0)])
+}
+
+/// The first of two crossings that lies in the interval of the ray.
+#[inline(always)]
+fn first_of(ray: &Ray, crossings: [(f32, u32); 2]) -> Option<(f32, u32)> {
+    crossings.into_iter().find(|&(t, _)| ray.t_min <= t && t <= ray.t_max)
+}

@@ -1,0 +1,143 @@
+//! What a hit means: point, normals and material, computed once, after the search.
+//!
+//! In `f64` up to the last step. Rays that leave the surface start a little off it: after Pharr,
+//! Jakob, Humphreys, *Physically Based Rendering*, 3rd edition, section 3.9, by a bound on the
+//! error of the point and of the formula that could hit it again, and not by an epsilon that suits
+//! one scene's scale and no other's.
+
+use glam::{DVec3, Vec3};
+
+use crate::description::Normals;
+use crate::math::{Hit, Ray, UNIT_ROUNDOFF};
+use crate::shapes::{Cylinder, SurfacePoint, Triangle};
+
+use super::{Form, Object, Scene};
+
+/// A point of a surface as it is seen along a ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// Unit normal of the surface itself, on the side from which it is seen.
+    pub geometric_normal: Vec3,
+    /// Unit normal that shades it, on the same side.
+    pub normal: Vec3,
+    /// Whether it is seen from inside of what it bounds.
+    pub from_inside: bool,
+    /// Index into the scene's materials.
+    pub material: usize,
+    point: DVec3,
+    clearance: f64,
+}
+
+impl Surface {
+    /// Where a ray starts that leaves the surface on the side from which it is seen.
+    #[inline]
+    #[must_use]
+    pub fn origin_outside(&self) -> Vec3 {
+        self.offset(self.geometric_normal)
+    }
+
+    /// Where a ray starts that goes through the surface, to its other side.
+    #[inline]
+    #[must_use]
+    pub fn origin_behind(&self) -> Vec3 {
+        self.offset(-self.geometric_normal)
+    }
+
+    /// The point, moved off the surface to the side of `normal`; rounded away from it.
+    fn offset(&self, normal: Vec3) -> Vec3 {
+        let moved = self.point + self.clearance * normal.as_dvec3();
+        let away = |exact: f64, direction: f32| {
+            let x = exact as f32;
+            if direction > 0.0 && f64::from(x) < exact {
+                x.next_up()
+            } else if direction < 0.0 && f64::from(x) > exact {
+                x.next_down()
+            } else {
+                x
+            }
+        };
+        Vec3::new(away(moved.x, normal.x), away(moved.y, normal.y), away(moved.z, normal.z))
+    }
+}
+
+impl Scene {
+    /// What a ray sees where it hits.
+    ///
+    /// # Panics
+    /// If `hit` is a miss, or not a hit of this scene.
+    #[must_use]
+    pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        let object = &self.objects[hit.object as usize];
+        let own = self.own_point(object, ray, hit);
+        let (point, outward, clearance) = to_world(object, &own);
+        let facing = if outward.dot(ray.dir.as_dvec3()) <= 0.0 { outward } else { -outward };
+        let shading = self
+            .shading_normal(object, hit)
+            .map_or(facing, |normal| if normal.dot(facing) < 0.0 { -normal } else { normal });
+        Surface {
+            geometric_normal: facing.as_vec3(),
+            normal: shading.as_vec3(),
+            from_inside: facing != outward,
+            material: object.material,
+            point,
+            clearance,
+        }
+    }
+
+    /// The point in the object's own space.
+    fn own_point(&self, object: &Object, ray: &Ray, hit: &Hit) -> SurfacePoint {
+        let own_ray = match &object.transform {
+            Some(transform) => transform.ray_to_object().apply(ray),
+            None => *ray,
+        };
+        match object.form {
+            Form::Ball(ball) => ball.surface_point(&own_ray, hit.t),
+            Form::Cylinder => Cylinder::surface_point(&own_ray, hit.t, hit.prim),
+            Form::Triangle(triangle) => triangle.surface_point(hit.u, hit.v),
+            Form::Mesh { mesh, .. } => {
+                let mesh = &self.meshes[mesh];
+                let corners = mesh.triangles[hit.prim as usize];
+                Triangle::new(corners.map(|c| mesh.positions[c as usize]))
+                    .surface_point(hit.u, hit.v)
+            }
+        }
+    }
+
+    /// The interpolated unit normal in the world, for meshes that have one.
+    fn shading_normal(&self, object: &Object, hit: &Hit) -> Option<DVec3> {
+        let Form::Mesh { mesh, normals: Normals::Interpolated } = object.form else { return None };
+        let mesh = &self.meshes[mesh];
+        let corners = mesh.normal_indices[hit.prim as usize];
+        let [a, b, c] = corners.map(|corner| mesh.normals[corner as usize].as_dvec3());
+        let (u, v) = (f64::from(hit.u), f64::from(hit.v));
+        let own = (1.0 - u - v) * a + u * b + v * c;
+        let world = object.transform.as_ref().map_or(own, |t| t.normal_to_world * own);
+        world.try_normalize()
+    }
+}
+
+/// Takes a point to the world: where it is, its outward unit normal, and how far rays must start
+/// from it along the normal.
+///
+/// That distance is the shape's own clearance, seen in the world; the rounding of the starting
+/// point to `f32`; and what the trip of that point back to object space can move it by. The
+/// errors are vectors of bounds per axis; along the normal they are their product with |normal|.
+fn to_world(object: &Object, own: &SurfacePoint) -> (DVec3, DVec3, f64) {
+    let own_length = own.normal.length();
+    let (point, normal, round_trip) = match &object.transform {
+        Some(transform) => {
+            let point = transform.world_from_object.transform_point3(own.position);
+            (point, transform.normal_to_world * own.normal, transform.round_trip_error(point))
+        }
+        None => (own.position, own.normal, DVec3::ZERO),
+    };
+    let length = normal.length();
+    let unit = normal / length;
+    // The inverse transpose shortens a normal by as much as distances along it grow.
+    let own_clearance = own.clearance * own_length / length;
+    let rounding = 2.0 * UNIT_ROUNDOFF * point.abs() + round_trip;
+    (point, unit, own_clearance + unit.abs().dot(rounding))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,89 @@
+//! A scene with a structure over it, on two levels.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use crate::accel::{Accel, BuildConfig, Indexed, StructureShape, Tracer};
+use crate::counters::Counts;
+use crate::math::{Hit, Ray};
+use crate::shapes::TriangleSet;
+
+use super::{ObjectList, Scene};
+
+/// A scene indexed by `O` over its objects and by `T` over the triangles of each mesh.
+#[derive(Clone, Debug)]
+pub struct World<O, T> {
+    objects: Indexed<ObjectList<T>, O>,
+    meshes: Vec<Arc<Indexed<TriangleSet, T>>>,
+    build_time: Duration,
+}
+
+/// What building a world took and gave.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuildReport {
+    /// Wall time from the compiled scene to the first ray, packing of triangles included.
+    pub time: Duration,
+    /// The structure over the objects.
+    pub objects: StructureShape,
+    /// The structures over the meshes' triangles, added up, each mesh once.
+    pub meshes: StructureShape,
+    /// Triangles in all meshes, each mesh once.
+    pub triangles: u64,
+    /// Bytes of the triangles as they are traced, each mesh once.
+    pub triangle_bytes: u64,
+}
+
+/// What the renderer needs of a world: rays to hits, and what the structure is.
+pub trait TracedWorld: Tracer {
+    /// What building it took and gave.
+    fn build_report(&self) -> BuildReport;
+}
+
+impl<O: Accel, T: Accel> World<O, T> {
+    /// Indexes a scene.
+    #[must_use]
+    pub fn build(scene: &Scene, config: &BuildConfig) -> Self {
+        let start = Instant::now();
+        let meshes: Vec<_> = scene
+            .meshes()
+            .iter()
+            .map(|mesh| {
+                let triangles = TriangleSet::new(&mesh.positions, &mesh.triangles);
+                Arc::new(Indexed::build(triangles, config))
+            })
+            .collect();
+        // One object a leaf: an object can be a whole mesh, and a box is cheaper than its ball.
+        let config = BuildConfig { max_leaf: 1, ..*config };
+        let objects = Indexed::build(ObjectList::new(scene, &meshes), &config);
+        Self { objects, meshes, build_time: start.elapsed() }
+    }
+}
+
+impl<O: Accel, T: Accel> Tracer for World<O, T> {
+    fn intersect(&self, rays: &[Ray], hits: &mut [Hit], counts: Option<&mut Counts>) {
+        self.objects.intersect(rays, hits, counts);
+    }
+
+    fn occluded(&self, rays: &[Ray], blocked: &mut [bool], counts: Option<&mut Counts>) {
+        self.objects.occluded(rays, blocked, counts);
+    }
+}
+
+impl<O: Accel, T: Accel> TracedWorld for World<O, T> {
+    fn build_report(&self) -> BuildReport {
+        let mut meshes = StructureShape::default();
+        let (mut triangles, mut triangle_bytes) = (0, 0);
+        for mesh in &self.meshes {
+            meshes.merge(&mesh.shape());
+            triangles += u64::from(mesh.primitives().triangle_count());
+            triangle_bytes += mesh.primitives().bytes();
+        }
+        BuildReport {
+            time: self.build_time,
+            objects: self.objects.shape(),
+            meshes,
+            triangles,
+            triangle_bytes,
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! The forms that rays hit: one file a shape, each with its formula, its box, and its point.
+//!
+//! A formula is written once and called by every structure. Shapes know nothing of scenes,
+//! materials or files; transforms are applied before a ray gets here.
+
+mod ball;
+mod cylinder;
+mod surface_point;
+mod triangle;
+mod triangle_set;
+
+pub use ball::Ball;
+pub use cylinder::Cylinder;
+pub use surface_point::SurfacePoint;
+pub use triangle::Triangle;
+pub use triangle_set::TriangleSet;

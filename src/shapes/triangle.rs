@@ -1,0 +1,156 @@
+//! Triangles: the formula of Möller and Trumbore, for one triangle or for several lanes of them.
+//!
+//! T. Möller, B. Trumbore: *Fast, Minimum Storage Ray/Triangle Intersection*, 1997; here on a
+//! corner and two edges, with the determinant's sign taken out so that the inside test needs no
+//! division. A triangle is what its stored corner and edges say: its other corners are `v0 + e1`
+//! and `v0 + e2` in `f32`, and its box is the box of these.
+
+use glam::{DVec3, Vec3, Vec3A};
+
+use crate::math::{Aabb, Ray, UNIT_ROUNDOFF};
+use crate::simd::{Lanes, Lanes3, cross, dot, sub};
+
+use super::SurfacePoint;
+
+/// A hit before its division: see [`scaled_hit`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ScaledHit<L> {
+    /// Weight of the second corner, times `det`.
+    pub(super) u: L,
+    /// Weight of the third corner, times `det`.
+    pub(super) v: L,
+    /// Ray parameter, times `det`.
+    pub(super) t: L,
+    /// Absolute value of the determinant.
+    pub(super) det: L,
+}
+
+/// Möller-Trumbore up to the division.
+///
+/// The ray is inside the triangle if `u ≥ 0`, `v ≥ 0` and `u + v ≤ det`; then it is hit at
+/// `t / det`. Degenerate triangles have `det = 0` and an infinite or undefined `t / det`. NaNs
+/// fail every comparison.
+#[inline(always)]
+pub(super) fn scaled_hit<L: Lanes>(
+    origin: Lanes3<L>,
+    dir: Lanes3<L>,
+    v0: Lanes3<L>,
+    e1: Lanes3<L>,
+    e2: Lanes3<L>,
+) -> ScaledHit<L> {
+    let h = cross(dir, e2);
+    let det = dot(e1, h);
+    let s = sub(origin, v0);
+    let q = cross(s, e1);
+    let sign = det.signum();
+    ScaledHit { u: dot(s, h) * sign, v: dot(dir, q) * sign, t: dot(e2, q) * sign, det: det.abs() }
+}
+
+/// One triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle {
+    /// First corner.
+    pub v0: Vec3,
+    /// Second corner minus first.
+    pub e1: Vec3,
+    /// Third corner minus first.
+    pub e2: Vec3,
+}
+
+impl Triangle {
+    /// The triangle with these corners, rounded as stored.
+    #[must_use]
+    pub fn new([a, b, c]: [Vec3; 3]) -> Self {
+        Self { v0: a, e1: b - a, e2: c - a }
+    }
+
+    /// The box of the stored triangle.
+    #[inline]
+    #[must_use]
+    pub fn bounds(&self) -> Aabb {
+        let v0 = Vec3A::from(self.v0);
+        Aabb::of_points([v0, v0 + Vec3A::from(self.e1), v0 + Vec3A::from(self.e2)])
+    }
+
+    /// The parameter and the barycentric weights of the second and third corner at which a ray hits
+    /// the triangle within its interval. The triangle's own box is not asked: that is left to the
+    /// caller, who knows the padding.
+    #[inline]
+    #[must_use]
+    pub fn intersect(&self, ray: &Ray) -> Option<(f32, f32, f32)> {
+        let [origin, dir, v0, e1, e2] =
+            [ray.origin, ray.dir, self.v0, self.e1, self.e2].map(|v| v.to_array());
+        let hit = scaled_hit(origin, dir, v0, e1, e2);
+        if !(hit.u >= 0.0 && hit.v >= 0.0 && hit.u + hit.v <= hit.det) {
+            return None;
+        }
+        let t = hit.t / hit.det;
+        (ray.t_min <= t && t <= ray.t_max).then(|| (t, hit.u / hit.det, hit.v / hit.det))
+    }
+
+    /// The point at barycentric weights `u` (second corner) and `v` (third corner).
+    #[must_use]
+    pub fn surface_point(&self, u: f32, v: f32) -> SurfacePoint {
+        let [v0, e1, e2] = [self.v0, self.e1, self.e2].map(Vec3::as_dvec3);
+        let normal = e1.cross(e2);
+        SurfacePoint {
+            position: v0 + f64::from(u) * e1 + f64::from(v) * e2,
+            normal,
+            clearance: clearance(e1, e2, normal.length()),
+        }
+    }
+}
+
+/// How far from the plane the sign of `t` is certain.
+///
+/// `t·det = e2·(s × e1)` is the distance times |e1 × e2|. Each of its products passes five
+/// roundings on the way, so its error is at most 5u·3·|e1||e2||s|, and |s| is at most about the
+/// longest edge. For slivers, whose area is all rounding, the distance is cut to a thousandth of
+/// that edge: beyond it the offset itself would show.
+fn clearance(e1: DVec3, e2: DVec3, double_area: f64) -> f64 {
+    let longest = e1.length().max(e2.length());
+    let error = 15.0 * UNIT_ROUNDOFF * e1.length() * e2.length() * longest;
+    (error / double_area).min(1e-3 * longest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn hit(origin: [f32; 3], dir: [f32; 3], t: &Triangle) -> Option<(f32, f32, f32)> {
+        t.intersect(&Ray::new(origin.into(), dir.into()))
+    }
+
+    #[test]
+    fn a_hit_has_the_parameter_and_weights_of_its_point() {
+        let t = Triangle::new([Vec3::ZERO, Vec3::X, Vec3::Y]);
+        for (z, dz) in [(2.0, -1.0), (-2.0, 1.0)] {
+            let (time, u, v) = hit([0.25, 0.5, z], [0.0, 0.0, dz], &t).unwrap();
+            assert_eq!((time, u, v), (2.0, 0.25, 0.5), "both sides are hit alike");
+        }
+        assert!(hit([0.75, 0.5, 2.0], [0.0, 0.0, -1.0], &t).is_none());
+    }
+
+    #[test]
+    fn edges_and_corners_belong_to_the_triangle() {
+        let t = Triangle::new([Vec3::ZERO, Vec3::X, Vec3::Y]);
+        for p in [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.5], [0.5, 0.0], [0.0, 0.5]] {
+            assert!(hit([p[0], p[1], 1.0], [0.0, 0.0, -1.0], &t).is_some(), "{p:?}");
+        }
+    }
+
+    #[test]
+    fn a_degenerate_triangle_has_no_finite_parameter() {
+        let t = Triangle::new([Vec3::ZERO, Vec3::X, Vec3::X]);
+        assert_eq!(hit([0.5, 0.0, 1.0], [0.0, 0.0, -1.0], &t), None);
+    }
+
+    #[test]
+    fn the_surface_point_lies_in_the_plane_and_its_clearance_is_tiny() {
+        let t = Triangle::new([Vec3::ONE, Vec3::new(4.0, 2.0, 0.0), Vec3::new(0.0, 5.0, 3.0)]);
+        let p = t.surface_point(0.3, 0.2);
+        let plane_distance = (p.position - t.v0.as_dvec3()).dot(p.normal.normalize());
+        assert!(plane_distance.abs() < 1e-12);
+        assert!(p.clearance > 0.0 && p.clearance < 1e-4);
+    }
+}

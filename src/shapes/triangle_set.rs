@@ -1,0 +1,246 @@
+//! The triangles of a mesh, four to a pack, as structures offer them.
+
+use std::ops::Range;
+
+use glam::{Vec3, Vec3A, Vec4};
+
+use crate::accel::{Bounded, Primitives};
+use crate::counters::Counters;
+use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray};
+use crate::simd::Lanes3;
+
+use super::Triangle;
+use super::triangle::scaled_hit;
+
+const LANES: usize = 4;
+
+/// Triangles in slot order. Hits have object 0; `prim` is the index of the triangle in the mesh.
+#[derive(Clone, Debug)]
+pub struct TriangleSet {
+    packs: Vec<Pack>,
+    count: u32,
+    mean_vertex: Vec3A,
+    padding: Padding,
+}
+
+/// Four triangles in structure-of-arrays form. Empty lanes are all zero, which nothing hits.
+#[derive(Clone, Copy, Debug)]
+struct Pack {
+    v0: Lanes3<Vec4>,
+    e1: Lanes3<Vec4>,
+    e2: Lanes3<Vec4>,
+    prim: [u32; LANES],
+}
+
+/// A ray in every lane.
+struct LaneRay {
+    origin: Lanes3<Vec4>,
+    dir: Lanes3<Vec4>,
+}
+
+impl LaneRay {
+    #[inline(always)]
+    fn new(ray: &Ray) -> Self {
+        Self {
+            origin: ray.origin.to_array().map(Vec4::splat),
+            dir: ray.dir.to_array().map(Vec4::splat),
+        }
+    }
+}
+
+/// What a pack offers a ray: lanes whose triangle is hit at an acceptable `t`, boxes not yet asked.
+struct Candidates {
+    t: Vec4,
+    u: Vec4,
+    v: Vec4,
+    det: Vec4,
+    lanes: u32,
+}
+
+impl TriangleSet {
+    /// The triangles of a mesh.
+    ///
+    /// # Panics
+    /// If an index is out of range, or there are more than 2³² − 1 triangles.
+    #[must_use]
+    pub fn new(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
+        let count = u32::try_from(triangles.len()).expect("fewer than 2^32 triangles");
+        let sum = positions.iter().map(|p| p.as_dvec3()).sum::<glam::DVec3>();
+        let mut set = Self {
+            packs: vec![Pack::EMPTY; triangles.len().div_ceil(LANES)],
+            count,
+            mean_vertex: (sum / positions.len().max(1) as f64).as_vec3a(),
+            padding: Padding { largest: 0.0, factor: 1.0 },
+        };
+        for (i, corners) in triangles.iter().enumerate() {
+            let triangle = Triangle::new(corners.map(|c| positions[c as usize]));
+            set.packs[i / LANES].set(i % LANES, &triangle, i as u32);
+        }
+        set.padding = Padding::of_bounds(&set.total_bounds());
+        set
+    }
+
+    /// How many triangles there are.
+    #[must_use]
+    pub fn triangle_count(&self) -> u32 {
+        self.count
+    }
+
+    /// Bytes of the packed triangles.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        (self.packs.capacity() * size_of::<Pack>()) as u64
+    }
+
+    fn slot(&self, slot: u32) -> (Triangle, u32) {
+        let (pack, lane) = (&self.packs[slot as usize / LANES], slot as usize % LANES);
+        (pack.triangle(lane), pack.prim[lane])
+    }
+
+    /// Calls `test` with each pack that holds some of the slots, and a mask of their lanes, until
+    /// it returns true.
+    #[inline(always)]
+    fn any_pack(&self, slots: Range<u32>, mut test: impl FnMut(&Pack, u32) -> bool) -> bool {
+        let (start, end) = (slots.start as usize, slots.end as usize);
+        (start / LANES..end.div_ceil(LANES)).any(|i| {
+            let first = i * LANES;
+            let from = start.saturating_sub(first).min(LANES);
+            let to = (end - first).min(LANES);
+            let mask = (1u32 << to) - (1u32 << from);
+            test(&self.packs[i], mask)
+        })
+    }
+}
+
+impl Bounded for TriangleSet {
+    fn count(&self) -> u32 {
+        self.count
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.slot(index).0.bounds()
+    }
+
+    fn mean_point(&self) -> Vec3A {
+        self.mean_vertex
+    }
+
+    fn lanes(&self) -> u32 {
+        LANES as u32
+    }
+}
+
+impl Primitives for TriangleSet {
+    fn padding(&self) -> Padding {
+        self.padding
+    }
+
+    fn reorder(&mut self, order: &[u32]) {
+        let mut packs = vec![Pack::EMPTY; order.len().div_ceil(LANES)];
+        for (slot, &from) in order.iter().enumerate().filter(|&(_, &from)| from != NONE) {
+            let (triangle, prim) = self.slot(from);
+            packs[slot / LANES].set(slot % LANES, &triangle, prim);
+        }
+        self.packs = packs;
+    }
+
+    #[inline]
+    fn intersect<C: Counters>(
+        &self,
+        slots: Range<u32>,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        best: &mut Hit,
+        counters: &mut C,
+    ) {
+        counters.primitives(slots.len() as u32);
+        let lane_ray = LaneRay::new(ray);
+        self.any_pack(slots, |pack, mask| {
+            let candidates = pack.candidates(&lane_ray, ray.t_min, best.t, mask);
+            if candidates.lanes != 0 {
+                pack.update(&candidates, box_ray, best);
+            }
+            false
+        });
+    }
+
+    #[inline]
+    fn occluded<C: Counters>(
+        &self,
+        slots: Range<u32>,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        counters: &mut C,
+    ) -> bool {
+        counters.primitives(slots.len() as u32);
+        let lane_ray = LaneRay::new(ray);
+        self.any_pack(slots, |pack, mask| {
+            let candidates = pack.candidates(&lane_ray, ray.t_min, ray.t_max, mask);
+            candidates.lanes != 0 && pack.any_accepted(&candidates, box_ray)
+        })
+    }
+}
+
+impl Pack {
+    const EMPTY: Self =
+        Self { v0: [Vec4::ZERO; 3], e1: [Vec4::ZERO; 3], e2: [Vec4::ZERO; 3], prim: [NONE; LANES] };
+
+    fn set(&mut self, lane: usize, triangle: &Triangle, prim: u32) {
+        for axis in 0..3 {
+            self.v0[axis][lane] = triangle.v0[axis];
+            self.e1[axis][lane] = triangle.e1[axis];
+            self.e2[axis][lane] = triangle.e2[axis];
+        }
+        self.prim[lane] = prim;
+    }
+
+    fn triangle(&self, lane: usize) -> Triangle {
+        let pick = |rows: &Lanes3<Vec4>| Vec3::from_array(rows.map(|row| row[lane]));
+        Triangle { v0: pick(&self.v0), e1: pick(&self.e1), e2: pick(&self.e2) }
+    }
+
+    #[inline(always)]
+    fn candidates(&self, ray: &LaneRay, t_min: f32, t_max: f32, mask: u32) -> Candidates {
+        let hit = scaled_hit(ray.origin, ray.dir, self.v0, self.e1, self.e2);
+        let t = hit.t / hit.det;
+        let inside = hit.u.cmpge(Vec4::ZERO)
+            & hit.v.cmpge(Vec4::ZERO)
+            & (hit.u + hit.v).cmple(hit.det)
+            & t.cmpge(Vec4::splat(t_min))
+            & t.cmple(Vec4::splat(t_max));
+        Candidates { t, u: hit.u, v: hit.v, det: hit.det, lanes: inside.bitmask() & mask }
+    }
+
+    #[inline]
+    fn update(&self, candidates: &Candidates, box_ray: &BoxRay, best: &mut Hit) {
+        for lane in ones(candidates.lanes) {
+            let det = candidates.det[lane];
+            let hit = Hit {
+                t: candidates.t[lane],
+                object: 0,
+                prim: self.prim[lane],
+                u: candidates.u[lane] / det,
+                v: candidates.v[lane] / det,
+            };
+            if hit.precedes(best) && box_ray.accepts(&self.triangle(lane).bounds(), hit.t) {
+                *best = hit;
+            }
+        }
+    }
+
+    #[inline]
+    fn any_accepted(&self, candidates: &Candidates, box_ray: &BoxRay) -> bool {
+        ones(candidates.lanes)
+            .any(|lane| box_ray.accepts(&self.triangle(lane).bounds(), candidates.t[lane]))
+    }
+}
+
+/// The positions of the ones of a mask, the lowest first.
+#[inline(always)]
+fn ones(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lowest = (mask != 0).then(|| mask.trailing_zeros() as usize);
+        mask &= mask.wrapping_sub(1);
+        lowest
+    })
+}

@@ -1,0 +1,148 @@
+//! All structures return the same hits, to the bit.
+//!
+//! The definition is `none`: every primitive, every ray. Every other structure must return the
+//! same `(t, object, primitive, u, v)` and the same occlusion for rays of all kinds, on meshes of
+//! all kinds, at scales from 10⁻⁶ to 10⁶. More than a million rays are compared.
+
+mod adversarial_rays;
+mod nasty_meshes;
+mod scenes;
+
+use glam::Vec3;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use srt::accel::{
+    Accel, BoundingBall, BuildConfig, Bvh, CompressedWideBvh, Exhaustive, Indexed, Quality, Tracer,
+};
+use srt::math::{Hit, Ray};
+use srt::shapes::TriangleSet;
+
+use adversarial_rays::rays_at;
+use nasty_meshes::Mesh;
+
+/// The answers of a structure.
+fn trace(tracer: &dyn Tracer, rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
+    let mut hits = vec![Hit::MISS; rays.len()];
+    let mut blocked = vec![false; rays.len()];
+    tracer.intersect(rays, &mut hits, None);
+    tracer.occluded(rays, &mut blocked, None);
+    (hits, blocked)
+}
+
+/// Fails with the first ray whose answers differ.
+fn assert_equal(what: &str, tracer: &dyn Tracer, rays: &[Ray], expected: &(Vec<Hit>, Vec<bool>)) {
+    let (hits, blocked) = trace(tracer, rays);
+    for (i, ray) in rays.iter().enumerate() {
+        assert!(
+            hits[i].same_bits(&expected.0[i]) && blocked[i] == expected.1[i],
+            "{what}: ray {i} {ray:?}\n  got      {:?}, blocked {}\n  expected {:?}, blocked {}",
+            hits[i],
+            blocked[i],
+            expected.0[i],
+            expected.1[i],
+        );
+    }
+}
+
+fn indexed<A: Accel>(mesh: &Mesh, quality: Quality) -> Indexed<TriangleSet, A> {
+    let config = BuildConfig { quality, ..BuildConfig::default() };
+    Indexed::build(TriangleSet::new(&mesh.positions, &mesh.triangles), &config)
+}
+
+/// Rays that begin, or end, exactly at the hits of others, or one float beside them.
+fn rays_cut_at_hits(rays: &[Ray], hits: &[Hit]) -> Vec<Ray> {
+    let cut = |(i, (ray, hit)): (usize, (&Ray, &Hit))| {
+        hit.is_hit().then(|| match i % 4 {
+            0 => Ray { t_max: hit.t, ..*ray },
+            1 => Ray { t_max: hit.t.next_down(), ..*ray },
+            2 => Ray { t_min: hit.t, ..*ray },
+            _ => Ray { t_min: hit.t.next_up(), ..*ray },
+        })
+    };
+    rays.iter().zip(hits).enumerate().filter_map(cut).collect()
+}
+
+/// Compares all structures with `none` on one mesh; returns how many rays were compared.
+fn compare_on(mesh: &Mesh, count: usize) -> usize {
+    let none = indexed::<Exhaustive>(mesh, Quality::Medium);
+    let ball = indexed::<BoundingBall>(mesh, Quality::Medium);
+    let trees: Vec<(String, Box<dyn Tracer>)> =
+        [Quality::Fastest, Quality::Medium, Quality::Slowest]
+            .into_iter()
+            .flat_map(|q| -> [(String, Box<dyn Tracer>); 2] {
+                [
+                    (format!("bvh {}", q.name()), Box::new(indexed::<Bvh>(mesh, q))),
+                    (
+                        format!("cwbvh {}", q.name()),
+                        Box::new(indexed::<CompressedWideBvh>(mesh, q)),
+                    ),
+                ]
+            })
+            .collect();
+    let adversarial = rays_at(mesh, count, 99);
+    let cut = rays_cut_at_hits(&adversarial, &trace(&none, &adversarial).0);
+    for rays in [&adversarial, &cut] {
+        let expected = trace(&none, rays);
+        for (hit, blocked) in expected.0.iter().zip(&expected.1) {
+            assert_eq!(hit.is_hit(), *blocked, "{}: closest and any hit disagree", mesh.name);
+        }
+        assert_equal(&format!("{}: ball", mesh.name), &ball, rays, &expected);
+        for (name, tree) in &trees {
+            assert_equal(&format!("{}: {name}", mesh.name), tree.as_ref(), rays, &expected);
+        }
+    }
+    adversarial.len() + cut.len()
+}
+
+#[test]
+fn meshes_of_all_kinds_at_all_scales() {
+    const RAYS: usize = 60_000;
+    let places =
+        [(1.0, Vec3::ZERO), (1e6, Vec3::ZERO), (1e-6, Vec3::ZERO), (1e3, Vec3::splat(1e6))];
+    let compared: usize = nasty_meshes::all()
+        .par_iter()
+        .map(|mesh| {
+            let at = |(scale, offset)| compare_on(&mesh.moved(scale, offset), RAYS);
+            places.into_iter().map(at).sum::<usize>()
+        })
+        .sum();
+    println!("{compared} rays compared, 0 differ");
+    assert!(compared >= 1_000_000, "only {compared} rays were compared");
+}
+
+#[test]
+fn closest_hits_are_hits_of_the_triangle_they_name() {
+    // The oracle itself against the closed form: the point lies on the ray and in the plane.
+    let mesh = nasty_meshes::soup();
+    let none = indexed::<Exhaustive>(&mesh, Quality::Medium);
+    let rays = rays_at(&mesh, 5_000, 5);
+    let (hits, _) = trace(&none, &rays);
+    let mut checked = 0;
+    for (ray, hit) in rays.iter().zip(&hits).filter(|(_, hit)| hit.is_hit()) {
+        let [a, b, c] =
+            mesh.triangles[hit.prim as usize].map(|i| mesh.positions[i as usize].as_dvec3());
+        let on_ray = ray.origin.as_dvec3() + f64::from(hit.t) * ray.dir.as_dvec3();
+        let inside = a + f64::from(hit.u) * (b - a) + f64::from(hit.v) * (c - a);
+        let normal = (b - a).cross(c - a).normalize();
+        let cosine = normal.dot(ray.dir.as_dvec3().normalize()).abs();
+        if cosine > 0.1 && ray.origin.length() < 10.0 {
+            assert!((on_ray - inside).length() < 1e-4, "{ray:?} {hit:?}");
+            checked += 1;
+        }
+    }
+    assert!(checked > 500, "{checked}");
+}
+
+#[test]
+fn an_empty_mesh_is_never_hit() {
+    let mesh = Mesh { name: "empty", positions: vec![], triangles: vec![] };
+    let rays = [Ray::new(Vec3::ZERO, Vec3::X)];
+    let tracers: [Box<dyn Tracer>; 4] = [
+        Box::new(indexed::<Exhaustive>(&mesh, Quality::Medium)),
+        Box::new(indexed::<BoundingBall>(&mesh, Quality::Medium)),
+        Box::new(indexed::<Bvh>(&mesh, Quality::Medium)),
+        Box::new(indexed::<CompressedWideBvh>(&mesh, Quality::Medium)),
+    ];
+    for tracer in tracers {
+        assert_eq!(trace(tracer.as_ref(), &rays), (vec![Hit::MISS], vec![false]));
+    }
+}

@@ -1,0 +1,1 @@
+//! Two levels: objects of every form, under every kind of transform, and the pictures of scenes.
