@@ -12,6 +12,7 @@ pub mod counters;
 pub mod description;
 pub mod image_io;
 pub mod math;
+pub mod render;
 pub mod scene;
 pub mod shapes;
 pub mod simd;

@@ -1,0 +1,185 @@
+//! Where on an area light a view sample's shadow rays go.
+//!
+//! A sample is a point of the unit square. With m × m light samples for each of a pixel's n × n
+//! view samples, a pixel takes (n·m)² samples of each light.
+//!
+//! *Shuffled*: tables of (n·m)² jittered points are made once. A pixel picks a table for each
+//! light, and a random order of its view samples; each block of n × n neighbouring cells then gives
+//! one point to each view sample. So every view sample covers the light by m × m strata, and all
+//! of a pixel's together by (n·m)². With m = 1 this is the course's way: one set, shuffled, of
+//! which the i-th view sample takes the i-th, and hands it on to the rays that follow it.
+//!
+//! *Independent*: m × m jittered points, made for each view sample and light on its own.
+
+use crate::math::Random;
+
+use super::Sampling;
+
+/// How many tables there are: enough that neighbouring pixels do not repeat each other's noise.
+const TABLES: u64 = 32;
+
+/// Keeps the streams of random numbers apart.
+const TABLE_STREAM: u64 = 0x7461_626C;
+const ORDER_STREAM: u64 = 0x6F72_6465;
+
+/// The samples of a rendering.
+pub(super) struct LightSamples {
+    sampling: Sampling,
+    seed: u64,
+    view_side: usize,
+    light_side: usize,
+    tables: Vec<Vec<[f32; 2]>>,
+}
+
+/// The samples of all lights for one pixel.
+pub(super) struct PixelOrder {
+    /// For each light: its table, and the place in a block of each view sample.
+    lights: Vec<(usize, Vec<u32>)>,
+}
+
+impl LightSamples {
+    pub(super) fn new(sampling: Sampling, seed: u64, aa: u32, light_samples: u32) -> Self {
+        let (view_side, light_side) = (aa.max(1) as usize, light_samples.max(1) as usize);
+        let tables = match sampling {
+            Sampling::Shuffled => (0..TABLES)
+                .map(|i| {
+                    let mut random = Random::new(&[seed, TABLE_STREAM, i]);
+                    jittered(view_side * light_side, &mut random)
+                })
+                .collect(),
+            Sampling::Independent => Vec::new(),
+        };
+        Self { sampling, seed, view_side, light_side, tables }
+    }
+
+    /// Samples a view sample takes of each area light.
+    pub(super) fn per_view_sample(&self) -> usize {
+        self.light_side * self.light_side
+    }
+
+    /// The tables and orders of a pixel, for `lights` lights.
+    pub(super) fn pixel(&self, pixel: u64, lights: usize) -> PixelOrder {
+        let lights = match self.sampling {
+            Sampling::Shuffled => (0..lights as u64).map(|l| self.order(pixel, l)).collect(),
+            Sampling::Independent => Vec::new(),
+        };
+        PixelOrder { lights }
+    }
+
+    /// A table, and the view samples in random order (Fisher-Yates).
+    fn order(&self, pixel: u64, light: u64) -> (usize, Vec<u32>) {
+        let mut random = Random::new(&[self.seed, ORDER_STREAM, pixel, light]);
+        let table = random.below(TABLES as u32) as usize;
+        let mut order: Vec<u32> = (0..(self.view_side * self.view_side) as u32).collect();
+        for last in (1..order.len()).rev() {
+            order.swap(last, random.below(last as u32 + 1) as usize);
+        }
+        (table, order)
+    }
+
+    /// Writes the samples of one light for one path: `key` belongs to the path, `hint` is the
+    /// number of its view sample in the pixel.
+    pub(super) fn fill(
+        &self,
+        pixel: &PixelOrder,
+        light: usize,
+        hint: u32,
+        key: u64,
+        points: &mut Vec<[f32; 2]>,
+    ) {
+        points.clear();
+        match self.sampling {
+            Sampling::Shuffled => {
+                let (table, order) = &pixel.lights[light];
+                self.deal(&self.tables[*table], order[hint as usize] as usize, points);
+            }
+            Sampling::Independent => {
+                let mut random = Random::new(&[key, light as u64]);
+                fill_jittered(self.light_side, &mut random, points);
+            }
+        }
+    }
+
+    /// One point of each block of n × n cells: the one at `place` in the block.
+    fn deal(&self, table: &[[f32; 2]], place: usize, points: &mut Vec<[f32; 2]>) {
+        let (n, m) = (self.view_side, self.light_side);
+        let (x, y) = (place % n, place / n);
+        let blocks = (0..m * m).map(|block| (block % m, block / m));
+        points.extend(blocks.map(|(i, j)| table[(j * n + y) * n * m + i * n + x]));
+    }
+}
+
+/// side × side points of the unit square, one at a random place in each cell, row by row.
+fn jittered(side: usize, random: &mut Random) -> Vec<[f32; 2]> {
+    let mut points = Vec::with_capacity(side * side);
+    fill_jittered(side, random, &mut points);
+    points
+}
+
+fn fill_jittered(side: usize, random: &mut Random, points: &mut Vec<[f32; 2]>) {
+    let cell = 1.0 / side as f32;
+    for j in 0..side {
+        for i in 0..side {
+            let [x, y] = random.next_pair();
+            points.push([(i as f32 + x) * cell, (j as f32 + y) * cell]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// All samples that a pixel takes of light 0.
+    fn samples_of_pixel(samples: &LightSamples, pixel: u64, views: u32) -> Vec<Vec<[f32; 2]>> {
+        let order = samples.pixel(pixel, 1);
+        (0..views)
+            .map(|view| {
+                let mut points = Vec::new();
+                samples.fill(&order, 0, view, u64::from(view) + 100 * pixel, &mut points);
+                points
+            })
+            .collect()
+    }
+
+    fn cells(points: impl IntoIterator<Item = [f32; 2]>, side: usize) -> Vec<u32> {
+        let mut count = vec![0; side * side];
+        for [x, y] in points {
+            count[(y * side as f32) as usize * side + (x * side as f32) as usize] += 1;
+        }
+        count
+    }
+
+    #[test]
+    fn shuffled_samples_of_a_pixel_cover_the_light_evenly() {
+        let samples = LightSamples::new(Sampling::Shuffled, 1, 4, 3);
+        for pixel in 0..20 {
+            let views = samples_of_pixel(&samples, pixel, 16);
+            assert!(cells(views.iter().flatten().copied(), 12).iter().all(|&n| n == 1));
+            for view in views {
+                assert!(cells(view, 3).iter().all(|&n| n == 1), "each view sample on its own");
+            }
+        }
+    }
+
+    #[test]
+    fn independent_samples_cover_the_light_for_each_view_sample() {
+        let samples = LightSamples::new(Sampling::Independent, 1, 4, 3);
+        for view in samples_of_pixel(&samples, 5, 16) {
+            assert!(cells(view, 3).iter().all(|&n| n == 1));
+        }
+    }
+
+    #[test]
+    fn samples_depend_on_seed_and_pixel_alone() {
+        for sampling in [Sampling::Shuffled, Sampling::Independent] {
+            let take =
+                |seed, pixel| samples_of_pixel(&LightSamples::new(sampling, seed, 2, 2), pixel, 4);
+            assert_eq!(take(1, 7), take(1, 7));
+            assert_ne!(take(1, 7), take(1, 8));
+        }
+        let first = LightSamples::new(Sampling::Shuffled, 1, 2, 2);
+        let second = LightSamples::new(Sampling::Shuffled, 2, 2, 2);
+        assert_ne!(samples_of_pixel(&first, 7, 4), samples_of_pixel(&second, 7, 4));
+    }
+}
