@@ -12,3 +12,4 @@ pub mod counters;
 pub mod description;
 pub mod image_io;
 pub mod math;
+pub mod scene_file;
