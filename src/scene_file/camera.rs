@@ -110,7 +110,11 @@ pub(super) fn report_missing(builder: &mut Builder, end: &Span) {
         missing.iter().map(|c| format!("    {:<18}# {}", c.example, c.summary)).collect();
     builder.report(
         Diagnostic::error(end.clone(), format!("the camera lacks {}", names.join(", ")))
-            .with_label("the scene ends here without it")
+            .with_label(if missing.len() == 1 {
+                "the scene ends here without it"
+            } else {
+                "the scene ends here without them"
+            })
             .with_help(format!("add, for example\n{}", examples.join("\n"))),
     );
 }

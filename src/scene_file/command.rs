@@ -62,8 +62,8 @@ pub enum Kind {
     Positive,
     /// A number that is not less than 0.
     NotNegative,
-    /// A number other than 0.
-    NotZero,
+    /// A number other than 0, which would make the transform singular.
+    ScaleFactor,
     /// A number from 0 to 1.
     Share,
     /// An angle between 0 and 180 degrees, both excluded.
@@ -110,24 +110,28 @@ impl Kind {
             Self::Number | Self::Name => true,
             Self::Positive => number > 0.0 && !is_zero,
             Self::NotNegative => number >= 0.0,
-            Self::NotZero => !is_zero,
+            Self::ScaleFactor => !is_zero,
             Self::Share => (0.0..=1.0).contains(&number),
             Self::FieldOfView => number > 0.0 && !is_zero && number < 180.0,
             Self::Whole(low, high) => {
                 number.fract() == 0.0 && (f64::from(low)..=f64::from(high)).contains(&number)
             }
         };
-        (!right).then(|| format!("must be {self}"))
+        let must = match self {
+            Self::ScaleFactor => "must not be 0, which would make the transform singular".into(),
+            _ => format!("must be {self}"),
+        };
+        (!right).then_some(must)
     }
 }
 
 impl fmt::Display for Kind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Number => f.write_str("a number"),
+            Self::Number => f.write_str("any number"),
             Self::Positive => f.write_str("greater than 0"),
             Self::NotNegative => f.write_str("0 or more"),
-            Self::NotZero => f.write_str("other than 0"),
+            Self::ScaleFactor => f.write_str("other than 0"),
             Self::Share => f.write_str("from 0 to 1"),
             Self::FieldOfView => f.write_str("between 0 and 180 degrees"),
             Self::Whole(low, high) => write!(f, "a whole number from {low} to {high}"),
@@ -151,7 +155,7 @@ mod tests {
         assert!(accepts(Kind::Positive, 1e-30) && !accepts(Kind::Positive, 0.0));
         assert!(!accepts(Kind::Positive, 1e-60));
         assert!(accepts(Kind::NotNegative, -0.0) && !accepts(Kind::NotNegative, -1e-9));
-        assert!(accepts(Kind::NotZero, -2.0) && !accepts(Kind::NotZero, 0.0));
+        assert!(accepts(Kind::ScaleFactor, -2.0) && !accepts(Kind::ScaleFactor, 0.0));
         assert!(accepts(Kind::Share, 1.0) && !accepts(Kind::Share, 1.0001));
         assert!(accepts(Kind::FieldOfView, 179.9) && !accepts(Kind::FieldOfView, 180.0));
         assert!(accepts(Kind::Whole(1, 9), 9.0) && !accepts(Kind::Whole(1, 9), 2.5));

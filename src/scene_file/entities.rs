@@ -6,6 +6,7 @@ use crate::description::{Light, Normals, Shape};
 use crate::math::Transform;
 
 use super::builder::Builder;
+use super::command::is_nothing;
 use super::diagnostic::Diagnostic;
 use super::values::Values;
 
@@ -52,7 +53,7 @@ pub(super) fn triangle(builder: &mut Builder, values: &Values<'_>) {
     let matrix = builder.state.transform.matrix;
     let corners = [0, 3, 6].map(|i| matrix.transform_point3(values.vector(i)));
     if !corners.iter().all(|&corner| fits_point(corner)) {
-        report_transform(builder, values, "carries it beyond single precision");
+        report_transform(builder, values, "carries this beyond single precision");
     } else if is_degenerate(corners) {
         let (_, count) = builder.degenerate.get_or_insert_with(|| (values.span.clone(), 0));
         *count += 1;
@@ -66,7 +67,7 @@ pub(super) fn point_light(builder: &mut Builder, values: &Values<'_>) {
     if fits_point(position) {
         builder.lights.push(Light::Point { position, color: values.color(3) });
     } else {
-        report_transform(builder, values, "carries it beyond single precision");
+        report_transform(builder, values, "carries this beyond single precision");
     }
 }
 
@@ -79,8 +80,8 @@ pub(super) fn area_light(builder: &mut Builder, values: &Values<'_>) {
     let half_v = matrix.transform_vector3(DVec3::Y * h);
     let corners = [center, center + half_u, center + half_v];
     if !corners.iter().all(|&corner| fits_point(corner)) {
-        report_transform(builder, values, "carries it beyond single precision");
-    } else if !has_area(half_u, half_v) {
+        report_transform(builder, values, "carries this beyond single precision");
+    } else if is_short(half_u) || is_short(half_v) || !has_area(half_u, half_v) {
         report_transform(builder, values, "flattens the light to a line or a point");
     } else {
         builder.lights.push(Light::Area { center, half_u, half_v, color: values.color(1) });
@@ -111,6 +112,11 @@ fn fits(matrix: DAffine3) -> bool {
 
 fn fits_point(point: DVec3) -> bool {
     point.as_vec3().is_finite()
+}
+
+/// Whether single precision may take a vector for 0.
+fn is_short(v: DVec3) -> bool {
+    is_nothing(v.abs().max_element())
 }
 
 /// Whether the corners lie on a line, as written or in single precision.

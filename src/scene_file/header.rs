@@ -1,8 +1,8 @@
 //! The first line, which says that the text is a scene.
 
+use super::command::Group;
 use super::diagnostic::{Diagnostic, quoted};
 use super::lexer;
-use super::suggest::did_you_mean;
 use super::table;
 use super::text::{Line, line_column, lines};
 
@@ -13,10 +13,21 @@ const MAGIC: &str = "sce1.0";
 pub(super) struct Header {
     /// What is wrong with it.
     pub(super) diagnostic: Option<Diagnostic>,
-    /// Whether the rest is worth reading: a scene that lacks its first line is one nevertheless.
-    pub(super) is_scene: bool,
-    /// How many lines it takes.
-    pub(super) lines: usize,
+    /// What to do with the rest.
+    pub(super) verdict: Verdict,
+}
+
+/// What the first line says of the rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Verdict {
+    /// A scene follows.
+    Read,
+    /// The text is a scene, but for its first line: the first line is one of the rest.
+    Missing,
+    /// The first line is wrong, and the rest is a scene all the same.
+    Wrong,
+    /// The rest would only make nonsense of errors.
+    NoScene,
 }
 
 /// Looks at the first line. A byte order mark and white space before it are let pass.
@@ -29,7 +40,12 @@ pub(super) fn check(source: &str) -> Header {
         Diagnostic::warning(from.start..to.end(), "what follows `sce1.0` on its line is not read")
             .with_help("write commands on lines of their own, and remarks behind `#` or `//`")
     });
-    Header { diagnostic, is_scene: true, lines: 1 }
+    Header { diagnostic, verdict: Verdict::Read }
+}
+
+/// Whether a line is what the first one should be.
+pub(super) fn begins_scene(line: Line<'_>) -> bool {
+    line.text.trim_start().starts_with(MAGIC)
 }
 
 fn first_line(source: &str) -> Line<'_> {
@@ -39,36 +55,43 @@ fn first_line(source: &str) -> Line<'_> {
 }
 
 fn wrong(source: &str, first: Line<'_>) -> Header {
-    let word = lexer::values(first).first().copied();
-    let span = word.map_or(first.start..first.start, |w| w.span());
-    let keyword = lexer::keyword(first).map(|(keyword, _)| keyword.text);
-    let is_command = keyword.is_some_and(|k| table::find(k).is_some());
-    let other_version = keyword.filter(|k| k.to_lowercase().starts_with("sce"));
-    let message = match other_version {
-        Some(found) => format!("{} is not a scene format that is known here", quoted(found)),
-        None => "the first line must start with `sce1.0`".to_owned(),
+    let keyword = lexer::keyword(first).map(|(keyword, _)| keyword);
+    let span = keyword.map_or(first.start..first.start, |k| k.span());
+    let other_version = keyword.filter(|k| k.text.to_lowercase().starts_with("sce"));
+    let is_missing = keyword.is_none_or(|k| table::find(k.text).is_some());
+    let error = match (other_version, keyword) {
+        (Some(found), _) => {
+            Diagnostic::error(span, format!("the scene format {} is unknown", quoted(found.text)))
+                .with_label("must be `sce1.0`")
+        }
+        (None, Some(_)) => Diagnostic::error(span, "the first line must start with `sce1.0`")
+            .with_label("found this instead"),
+        (None, None) => Diagnostic::error(span, "the first line must start with `sce1.0`"),
     };
-    let error = Diagnostic::error(span, message).with_help(help(source));
-    let error = match word {
-        Some(_) if other_version.is_none() => error.with_label("found this instead"),
-        _ => error,
+    let verdict = match (is_scene(source), is_missing) {
+        (true, true) => Verdict::Missing,
+        (true, false) => Verdict::Wrong,
+        (false, _) => Verdict::NoScene,
     };
-    let is_scene = is_command
-        || keyword.is_none_or(|k| did_you_mean(k).is_some())
-        || other_version.is_some()
-        || later_magic(source).is_some();
-    Header { diagnostic: Some(error), is_scene, lines: usize::from(!is_command) }
+    Header { diagnostic: Some(error.with_help(help(source, verdict))), verdict }
 }
 
-fn help(source: &str) -> String {
-    match later_magic(source) {
-        Some(line) => format!("`sce1.0` stands in line {line}: make it the first"),
-        None => "write `sce1.0` into the first line".to_owned(),
+fn help(source: &str, verdict: Verdict) -> String {
+    let later = lines(source).skip(1).find(|line| begins_scene(*line));
+    match (later, verdict) {
+        (Some(line), _) => {
+            let (number, _) = line_column(source, line.start);
+            format!("`sce1.0` stands in line {number}: make it the first")
+        }
+        (None, Verdict::NoScene) => "this does not look like a scene file".to_owned(),
+        (None, Verdict::Missing) => "add a line `sce1.0` before this one".to_owned(),
+        (None, _) => "write `sce1.0` into the first line".to_owned(),
     }
 }
 
-/// The number of a later line that is the first one's proper text.
-fn later_magic(source: &str) -> Option<usize> {
-    let found = lines(source).skip(1).find(|line| line.text.trim_start().starts_with(MAGIC))?;
-    Some(line_column(source, found.start).0)
+/// Whether a text without a proper first line is a scene nevertheless: it speaks of a camera.
+fn is_scene(source: &str) -> bool {
+    lines(source).filter_map(lexer::keyword).any(|(keyword, _)| {
+        table::find(keyword.text).is_some_and(|command| command.group == Group::Camera)
+    })
 }

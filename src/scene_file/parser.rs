@@ -8,11 +8,12 @@ use crate::description::{SceneDescription, Span};
 use super::builder::Builder;
 use super::command::Command;
 use super::diagnostic::{Diagnostic, quoted};
+use super::header::{self, Verdict};
 use super::lexer::{self, Word};
 use super::suggest::{did_you_mean, list_of_commands};
 use super::text::{Line, lines};
-use super::values::{self, Values};
-use super::{ParseOptions, header, table};
+use super::values;
+use super::{ParseOptions, table};
 
 /// Reads a whole scene. What is wrong comes in no particular order.
 pub(super) fn read(
@@ -23,10 +24,14 @@ pub(super) fn read(
         Parser { builder: Builder::new(), lenient: options.lenient, commands_listed: false };
     let header = header::check(source);
     parser.builder.diagnostics.extend(header.diagnostic);
-    if !header.is_scene {
+    if header.verdict == Verdict::NoScene {
         return (None, parser.builder.diagnostics);
     }
-    for line in lines(source).skip(header.lines) {
+    for line in lines(source).skip(usize::from(header.verdict == Verdict::Read)) {
+        // A first line that stands elsewhere was reported already.
+        if header.verdict == Verdict::Missing && header::begins_scene(line) {
+            continue;
+        }
         parser.line(line);
         if parser.builder.end.is_some() {
             break;
@@ -84,16 +89,17 @@ impl Parser {
 
     fn unknown(&mut self, keyword: Word<'_>) {
         let meant = did_you_mean(keyword.text);
-        let message = format!("unknown command {}", quoted(keyword.text));
+        let question = meant.map(|c| format!(", did you mean `{}`?", c.keyword));
+        let message =
+            format!("unknown command {}{}", quoted(keyword.text), question.unwrap_or_default());
         let mut diagnostic = if self.lenient {
             Diagnostic::warning(keyword.span(), message).with_label("this line is not read")
         } else {
             Diagnostic::error(keyword.span(), message).with_label("no command has this name")
         };
         if let Some(command) = meant {
-            diagnostic = diagnostic
-                .with_label(format!("did you mean `{}`?", command.keyword))
-                .with_help(format!("`{}`: {}", command.usage(), command.summary));
+            diagnostic =
+                diagnostic.with_help(format!("`{}`: {}", command.usage(), command.summary));
         } else if !std::mem::replace(&mut self.commands_listed, true) {
             diagnostic = diagnostic.with_help(list_of_commands());
         }
@@ -108,7 +114,7 @@ impl Parser {
 
     fn act_without_values(&mut self, command: &'static Command, word: Word<'_>) {
         if let Ok(values) = values::read(command, word, &[]) {
-            (command.apply)(&mut self.builder, &values as &Values<'_>);
+            (command.apply)(&mut self.builder, &values);
         }
     }
 }

@@ -228,7 +228,11 @@ pub const COMMANDS: &[Command] = &[
     Command {
         keyword: "scale",
         group: Group::Transform,
-        values: &[value("x", Kind::NotZero), value("y", Kind::NotZero), value("z", Kind::NotZero)],
+        values: &[
+            value("x", Kind::ScaleFactor),
+            value("y", Kind::ScaleFactor),
+            value("z", Kind::ScaleFactor),
+        ],
         summary: "stretches what follows along the axes",
         example: "scale 1 1 0.5",
         also_called: &[],

@@ -166,7 +166,12 @@ fn number(command: &Command, value: &Value, word: Word<'_>) -> Result<f64, Diagn
 
 fn not_a_number(command: &Command, value: &Value, word: Word<'_>) -> Diagnostic {
     let message = format!("{} is not a number", quoted(word.text));
-    let what = format!("`{}` of `{}` must be {}", value.name, command.keyword, value.kind);
+    let right = match value.kind {
+        Kind::Number => "a number".to_owned(),
+        Kind::Whole(..) => value.kind.to_string(),
+        kind => format!("a number {kind}"),
+    };
+    let what = format!("`{}` of `{}` must be {right}", value.name, command.keyword);
     Diagnostic::error(word.span(), message).with_label(what)
 }
 

@@ -7,11 +7,17 @@ fovy_deg 40
 nx 60
 ny 40
 pointlight 2 -3 5  1 1 1
-scale 1e-13 1 1
-arealight 1 1 1 1
+{
 scale 1e-30 1 1
-rotate 40 0 1 0
 scale 1e-30 1 1
 arealight 1 1 1 1
 ball 1 0 0 0
+}
+{
+scale 1e15 1 1
+rotate 1e-5 0 0 1
+scale 1 1e-15 1
+ball 1 0 0 0
+arealight 1 1 1 1
+}
 end
