@@ -80,7 +80,7 @@ fn expected() -> SceneDescription {
         alpha: 0.25,
         refractive_index: 1.5,
     };
-    let last = FULL.rfind("object_phong").unwrap();
+    let last = FULL.rfind("object_phong").expect("it is in the scene");
     SceneDescription {
         camera: Camera {
             eye: DVec3::new(0.0, -2.0, 1.5),
@@ -145,7 +145,7 @@ fn expected() -> SceneDescription {
 
 /// Where a text stands first in the scene with everything.
 fn span_of(text: &str) -> Span {
-    let start = FULL.find(text).unwrap();
+    let start = FULL.find(text).expect("it is in the scene");
     start..start + text.len()
 }
 

@@ -57,7 +57,7 @@ fn first_line(source: &str) -> Line<'_> {
 fn wrong(source: &str, first: Line<'_>) -> Header {
     let keyword = lexer::keyword(first).map(|(keyword, _)| keyword);
     let span = keyword.map_or(first.start..first.start, |k| k.span());
-    let other_version = keyword.filter(|k| k.text.to_lowercase().starts_with("sce"));
+    let other_version = keyword.filter(|k| is_version(k.text));
     let is_missing = keyword.is_none_or(|k| table::find(k.text).is_some());
     let error = match (other_version, keyword) {
         (Some(found), _) => {
@@ -87,6 +87,13 @@ fn help(source: &str, verdict: Verdict) -> String {
         (None, Verdict::Missing) => "add a line `sce1.0` before this one".to_owned(),
         (None, _) => "write `sce1.0` into the first line".to_owned(),
     }
+}
+
+/// Whether a word is of the form of [`MAGIC`]: `sce2.0`, `SCE1`.
+fn is_version(word: &str) -> bool {
+    word.to_lowercase()
+        .strip_prefix("sce")
+        .is_some_and(|digits| digits.starts_with(|c: char| c.is_ascii_digit()))
 }
 
 /// Whether a text without a proper first line is a scene nevertheless: it speaks of a camera.

@@ -69,7 +69,8 @@ pub(super) fn names<'s>(rest: Line<'s>) -> Vec<Word<'s>> {
 
 /// Cuts words off until the length of the next one is 0.
 fn split<'s>(mut rest: Line<'s>, word_length: impl Fn(&str) -> usize) -> Vec<Word<'s>> {
-    let mut words = Vec::new();
+    // Room for the values of a triangle, the most that any command takes.
+    let mut words = Vec::with_capacity(9);
     loop {
         rest = trim_start(rest);
         let length = word_length(rest.text);

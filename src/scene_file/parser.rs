@@ -27,7 +27,7 @@ pub(super) fn read(
     if header.verdict == Verdict::NoScene {
         return (None, parser.builder.diagnostics);
     }
-    for line in lines(source).skip(usize::from(header.verdict == Verdict::Read)) {
+    for line in lines(source).skip(usize::from(header.verdict != Verdict::Missing)) {
         // A first line that stands elsewhere was reported already.
         if header.verdict == Verdict::Missing && header::begins_scene(line) {
             continue;

@@ -140,24 +140,25 @@ fn surplus(command: &Command, words: &[Word<'_>]) -> Diagnostic {
 
 /// A finite number that the command takes here.
 fn number(command: &Command, value: &Value, word: Word<'_>) -> Result<f64, Diagnostic> {
-    let what = format!("`{}` of `{}`", value.name, command.keyword);
+    // Put together only where something is wrong: scenes of millions of triangles come by here.
+    let what = || format!("`{}` of `{}`", value.name, command.keyword);
     let Ok(number) = word.text.parse::<f64>() else {
         return Err(not_a_number(command, value, word).with_help(number_help(command, word)));
     };
     // `1e999` reads as infinity, but its author wrote no such thing.
     let digits = word.text.contains(|c: char| c.is_ascii_digit());
     if !digits {
-        return Err(Diagnostic::error(word.span(), format!("{what} must be a finite number"))
+        return Err(Diagnostic::error(word.span(), format!("{} must be a finite number", what()))
             .with_label(format!("{} is not finite", quoted(word.text)))
             .with_help(command.how_to_write()));
     }
     if !(number as f32).is_finite() {
-        return Err(Diagnostic::error(word.span(), format!("{what} is too large"))
+        return Err(Diagnostic::error(word.span(), format!("{} is too large", what()))
             .with_label("beyond single precision")
             .with_help(format!("numbers go from {:e} to {:e}", f32::MIN, f32::MAX)));
     }
     match value.kind.complaint(number) {
-        Some(complaint) => Err(Diagnostic::error(word.span(), format!("{what} {complaint}"))
+        Some(complaint) => Err(Diagnostic::error(word.span(), format!("{} {complaint}", what()))
             .with_label(out_of_bounds(number))
             .with_help(command.how_to_write())),
         None => Ok(number),

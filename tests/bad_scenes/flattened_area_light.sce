@@ -14,10 +14,9 @@ arealight 1 1 1 1
 ball 1 0 0 0
 }
 {
-scale 1e15 1 1
-rotate 1e-5 0 0 1
-scale 1 1e-15 1
-ball 1 0 0 0
+scale 1e-13 1 1
+rotate 45 0 0 1
 arealight 1 1 1 1
+ball 1 0 0 0
 }
 end
