@@ -28,7 +28,7 @@ pub(super) struct Values<'s> {
 }
 
 impl Values<'_> {
-    /// The number at an index; indices beyond what the table says mean a slip in the table.
+    /// The number at an index among the numbers; one beyond those of the table is a slip there.
     pub(super) fn number(&self, index: usize) -> f64 {
         self.numbers[index]
     }
