@@ -14,5 +14,6 @@ pub mod image_io;
 pub mod math;
 pub mod render;
 pub mod scene;
+pub mod scene_file;
 pub mod shapes;
 pub mod simd;

@@ -1,0 +1,120 @@
+//! Line after line: finds each line's command, reads its values, lets it act.
+//!
+//! An error in one line is the error of that line alone. What the line was probably meant to do to
+//! the structure of the scene is done all the same, so that its absence is not reported as well.
+
+use crate::description::{SceneDescription, Span};
+
+use super::builder::Builder;
+use super::command::Command;
+use super::diagnostic::{Diagnostic, quoted};
+use super::header::{self, Verdict};
+use super::lexer::{self, Word};
+use super::suggest::{did_you_mean, list_of_commands};
+use super::text::{Line, lines};
+use super::values;
+use super::{ParseOptions, table};
+
+/// Reads a whole scene. What is wrong comes in no particular order.
+pub(super) fn read(
+    source: &str,
+    options: &ParseOptions,
+) -> (Option<SceneDescription>, Vec<Diagnostic>) {
+    let mut parser =
+        Parser { builder: Builder::new(), lenient: options.lenient, commands_listed: false };
+    let header = header::check(source);
+    parser.builder.diagnostics.extend(header.diagnostic);
+    if header.verdict == Verdict::NoScene {
+        return (None, parser.builder.diagnostics);
+    }
+    for line in lines(source).skip(usize::from(header.verdict != Verdict::Missing)) {
+        // A first line that stands elsewhere was reported already.
+        if header.verdict == Verdict::Missing && header::begins_scene(line) {
+            continue;
+        }
+        parser.line(line);
+        if parser.builder.end.is_some() {
+            break;
+        }
+    }
+    let end = parser.builder.end.take().unwrap_or_else(|| end_of(source));
+    parser.builder.finish(end)
+}
+
+/// Where a scene without `end` ends: behind its last word.
+fn end_of(source: &str) -> Span {
+    let end = source.trim_end().len();
+    end..end
+}
+
+struct Parser {
+    builder: Builder,
+    lenient: bool,
+    /// The list of all commands is help for one error; it would be noise in every one.
+    commands_listed: bool,
+}
+
+impl Parser {
+    fn line(&mut self, line: Line<'_>) {
+        let Some((keyword, rest)) = lexer::keyword(line) else { return };
+        match table::find(keyword.text) {
+            Some(command) => self.command(command, keyword, rest),
+            None => self.unknown(keyword),
+        }
+    }
+
+    fn command(&mut self, command: &'static Command, keyword: Word<'_>, rest: Line<'_>) {
+        self.builder.seen.insert(command.keyword);
+        let words = if command.takes_name() { lexer::names(rest) } else { lexer::values(rest) };
+        match values::read(command, keyword, &words) {
+            Ok(values) => (command.apply)(&mut self.builder, &values),
+            Err(wrong) => {
+                self.builder.diagnostics.extend(wrong);
+                self.recover(command, keyword, &words);
+            }
+        }
+    }
+
+    /// Opens and closes what an erroneous line opens and closes.
+    fn recover(&mut self, command: &'static Command, keyword: Word<'_>, words: &[Word<'_>]) {
+        if command.values.is_empty() {
+            self.act_without_values(command, keyword);
+        }
+        for word in words.iter().skip(command.values.len()) {
+            if let Some(brace) = table::find(word.text).filter(|c| matches!(c.keyword, "{" | "}")) {
+                self.act_without_values(brace, *word);
+            }
+        }
+    }
+
+    fn unknown(&mut self, keyword: Word<'_>) {
+        let meant = did_you_mean(keyword.text);
+        let question = meant.map(|c| format!(", did you mean `{}`?", c.keyword));
+        let message =
+            format!("unknown command {}{}", quoted(keyword.text), question.unwrap_or_default());
+        let mut diagnostic = if self.lenient {
+            Diagnostic::warning(keyword.span(), message).with_label("this line is not read")
+        } else {
+            Diagnostic::error(keyword.span(), message).with_label("no command has this name")
+        };
+        if let Some(command) = meant {
+            diagnostic =
+                diagnostic.with_help(format!("`{}`: {}", command.usage(), command.summary));
+        } else if !std::mem::replace(&mut self.commands_listed, true) {
+            diagnostic = diagnostic.with_help(list_of_commands());
+        }
+        self.builder.report(diagnostic);
+        if let Some(command) = meant.filter(|_| !self.lenient) {
+            self.builder.seen.insert(command.keyword);
+            if command.values.is_empty() {
+                self.act_without_values(command, keyword);
+            }
+        }
+    }
+
+    fn act_without_values(&mut self, command: &'static Command, word: Word<'_>) {
+        if let Ok(values) = values::read(command, word, &[]) {
+            (command.apply)(&mut self.builder, &values);
+        }
+    }
+}

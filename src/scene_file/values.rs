@@ -1,0 +1,244 @@
+//! The words behind a keyword → values of the kinds that its command takes.
+//!
+//! Checks each value by itself: how many there are, whether they are numbers, and within their
+//! bounds. Whether they make sense together is for the command's own function.
+
+use glam::DVec3;
+
+use crate::description::Span;
+use crate::math::Color;
+
+use super::command::{Command, Kind, Value};
+use super::diagnostic::{Diagnostic, counted, quoted};
+use super::lexer::Word;
+use super::table;
+
+/// A command's values, as many and of such kinds as its row in the table says.
+#[derive(Debug)]
+pub(super) struct Values<'s> {
+    /// From the keyword to the last value.
+    pub(super) span: Span,
+    /// Where the keyword stands.
+    pub(super) keyword: Span,
+    /// Where each value stands.
+    pub(super) spans: Vec<Span>,
+    numbers: Vec<f64>,
+    /// The file's name, for a command that takes one.
+    pub(super) name: &'s str,
+}
+
+impl Values<'_> {
+    /// The number at an index among the numbers; one beyond those of the table is a slip there.
+    pub(super) fn number(&self, index: usize) -> f64 {
+        self.numbers[index]
+    }
+
+    /// The number at an index as single precision, which it is known to fit.
+    pub(super) fn single(&self, index: usize) -> f32 {
+        self.numbers[index] as f32
+    }
+
+    /// The whole number at an index, whose bounds the table has checked.
+    pub(super) fn whole(&self, index: usize) -> u32 {
+        self.numbers[index] as u32
+    }
+
+    /// Three numbers from an index on.
+    pub(super) fn vector(&self, index: usize) -> DVec3 {
+        DVec3::new(self.number(index), self.number(index + 1), self.number(index + 2))
+    }
+
+    /// Three numbers from an index on, as a colour.
+    pub(super) fn color(&self, index: usize) -> Color {
+        self.vector(index).as_vec3()
+    }
+
+    /// From one value to a later one.
+    pub(super) fn span_of(&self, first: usize, last: usize) -> Span {
+        self.spans[first].start..self.spans[last].end
+    }
+}
+
+/// Reads the values of a command.
+///
+/// # Errors
+/// All that is wrong with them, unless their number is; then that alone.
+pub(super) fn read<'s>(
+    command: &Command,
+    keyword: Word<'s>,
+    words: &[Word<'s>],
+) -> Result<Values<'s>, Vec<Diagnostic>> {
+    check_count(command, keyword, words).map_err(|wrong| vec![wrong])?;
+    let mut wrong = Vec::new();
+    let mut values = Values {
+        span: keyword.start..words.last().unwrap_or(&keyword).end(),
+        keyword: keyword.span(),
+        spans: words.iter().map(Word::span).collect(),
+        numbers: Vec::with_capacity(words.len()),
+        name: "",
+    };
+    for (value, word) in command.values.iter().zip(words) {
+        if value.kind == Kind::Name {
+            name(*word).map_or_else(|e| wrong.push(e), |name| values.name = name);
+        } else {
+            number(command, value, *word)
+                .map_or_else(|e| wrong.push(e), |n| values.numbers.push(n));
+        }
+    }
+    if wrong.is_empty() { Ok(values) } else { Err(wrong) }
+}
+
+fn check_count(command: &Command, keyword: Word<'_>, words: &[Word<'_>]) -> Result<(), Diagnostic> {
+    let takes = command.values.len();
+    if words.len() < takes {
+        Err(too_few(command, keyword, words))
+    } else if words.len() > takes {
+        Err(surplus(command, words))
+    } else {
+        Ok(())
+    }
+}
+
+/// `ball` takes 4 values (radius x y z), found 3.
+fn count_message(command: &Command, found: usize) -> String {
+    let takes = match command.values.len() {
+        0 => "no values".to_owned(),
+        n => format!("{} ({})", counted(n, "value"), command.value_names()),
+    };
+    format!("`{}` takes {takes}, found {found}", command.keyword)
+}
+
+fn too_few(command: &Command, keyword: Word<'_>, words: &[Word<'_>]) -> Diagnostic {
+    let end = words.last().unwrap_or(&keyword).end();
+    let missing: Vec<_> =
+        command.values[words.len()..].iter().map(|v| format!("`{}`", v.name)).collect();
+    let (last, before) = missing.split_last().map_or(("", &[][..]), |(l, b)| (l.as_str(), b));
+    let label = match before {
+        [] => format!("{last} is missing here"),
+        _ => format!("{} and {last} are missing here", before.join(", ")),
+    };
+    Diagnostic::error(end..end, count_message(command, words.len()))
+        .with_label(label)
+        .with_help(command.how_to_write())
+}
+
+fn surplus(command: &Command, words: &[Word<'_>]) -> Diagnostic {
+    let too_many = &words[command.values.len()..];
+    let span = too_many[0].start..too_many[too_many.len() - 1].end();
+    let begins_command = too_many.iter().any(|word| table::find(word.text).is_some());
+    let help = if begins_command {
+        "every command begins a line of its own; remarks begin with `#` or `//`".to_owned()
+    } else if command.takes_name() {
+        "put a name that contains spaces between double quotes: `\"my mesh.obj\"`".to_owned()
+    } else {
+        format!("{}; remarks begin with `#` or `//`", command.how_to_write())
+    };
+    Diagnostic::error(span, count_message(command, words.len()))
+        .with_label(format!("{} too many", counted(too_many.len(), "value")))
+        .with_help(help)
+}
+
+/// A finite number that the command takes here.
+fn number(command: &Command, value: &Value, word: Word<'_>) -> Result<f64, Diagnostic> {
+    // Put together only where something is wrong: scenes of millions of triangles come by here.
+    let what = || format!("`{}` of `{}`", value.name, command.keyword);
+    let Ok(number) = word.text.parse::<f64>() else {
+        return Err(not_a_number(command, value, word).with_help(number_help(command, word)));
+    };
+    // `1e999` reads as infinity, but its author wrote no such thing.
+    let digits = word.text.contains(|c: char| c.is_ascii_digit());
+    if !digits {
+        return Err(Diagnostic::error(word.span(), format!("{} must be a finite number", what()))
+            .with_label(format!("{} is not finite", quoted(word.text)))
+            .with_help(command.how_to_write()));
+    }
+    if !(number as f32).is_finite() {
+        return Err(Diagnostic::error(word.span(), format!("{} is too large", what()))
+            .with_label("beyond single precision")
+            .with_help(format!("numbers go from {:e} to {:e}", f32::MIN, f32::MAX)));
+    }
+    match value.kind.complaint(number) {
+        Some(complaint) => Err(Diagnostic::error(word.span(), format!("{} {complaint}", what()))
+            .with_label(out_of_bounds(number))
+            .with_help(command.how_to_write())),
+        None => Ok(number),
+    }
+}
+
+fn not_a_number(command: &Command, value: &Value, word: Word<'_>) -> Diagnostic {
+    let message = format!("{} is not a number", quoted(word.text));
+    let right = match value.kind {
+        Kind::Number => "a number".to_owned(),
+        Kind::Whole(..) => value.kind.to_string(),
+        kind => format!("a number {kind}"),
+    };
+    let what = format!("`{}` of `{}` must be {right}", value.name, command.keyword);
+    Diagnostic::error(word.span(), message).with_label(what)
+}
+
+/// What would be right in place of something that is not a number.
+fn number_help(command: &Command, word: Word<'_>) -> String {
+    if word.text.ends_with(',') {
+        "values are parted by spaces alone, without commas".to_owned()
+    } else if word.text.replacen(',', ".", 1).parse::<f64>().is_ok() {
+        "write a decimal point, not a comma".to_owned()
+    } else {
+        command.how_to_write()
+    }
+}
+
+fn out_of_bounds(number: f64) -> String {
+    if number != 0.0 && number.abs() < f64::from(f32::MIN_POSITIVE) {
+        format!("smaller than {:e} counts as 0", f32::MIN_POSITIVE)
+    } else {
+        format!("this is {number}")
+    }
+}
+
+/// The name of a file, without its quotes.
+fn name<'s>(word: Word<'s>) -> Result<&'s str, Diagnostic> {
+    let Some(inner) = word.text.strip_prefix('"') else {
+        return Ok(word.text);
+    };
+    match inner.strip_suffix('"') {
+        Some("") => Err(Diagnostic::error(word.span(), "the name of the file is empty")
+            .with_help("write the path of a mesh, relative to the folder of the scene")),
+        Some(name) => Ok(name),
+        None => Err(Diagnostic::error(word.span(), "the quote is not closed")
+            .with_label("opened here")
+            .with_help("end the name with `\"` on the same line")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read_number(text: &str) -> Result<f64, String> {
+        let command = table::find("translate").unwrap();
+        number(command, &command.values[0], Word { text, start: 0 }).map_err(|e| e.message)
+    }
+
+    #[test]
+    fn numbers_are_read_in_every_usual_form() {
+        let forms = [(".5", 0.5), ("5.", 5.0), ("-0", -0.0), ("1e-3", 1e-3), ("+1", 1.0)];
+        for (text, value) in forms {
+            assert_eq!(read_number(text).map(f64::to_bits), Ok(f64::to_bits(value)), "{text}");
+        }
+        assert_eq!(read_number("1E3"), Ok(1000.0));
+        assert_eq!(read_number("1e-60"), Ok(1e-60));
+    }
+
+    #[test]
+    fn what_is_no_finite_number_is_refused() {
+        for text in ["x", "1,5", "1e", "0x10", "--1", "1.2.3", "\"1\"", "-"] {
+            assert!(read_number(text).unwrap_err().ends_with("is not a number"), "{text}");
+        }
+        for text in ["nan", "NaN", "inf", "-inf", "infinity"] {
+            assert!(read_number(text).unwrap_err().ends_with("finite number"), "{text}");
+        }
+        for text in ["1e39", "-1e999", "3.5e38"] {
+            assert!(read_number(text).unwrap_err().ends_with("too large"), "{text}");
+        }
+    }
+}

@@ -1,0 +1,18 @@
+sce1.0
+eyepos 0 -5 1
+eyedir 0 1 0
+eyeup 0 0 1
+wdist 1
+fovy_deg 40
+nx 60
+ny 40
+pointlight 2 -3 5  1 1 1
+ball 0 0 0 0
+ball -2 0 0 0
+ball 1e-60 0 0 0
+arealight 0 1 1 1
+arealight -1 1 1 1
+ri 0
+shininess -3
+alpha 1.5
+end

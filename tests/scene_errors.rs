@@ -1,0 +1,57 @@
+//! Every bad scene has its message. A case is a file in `tests/bad_scenes`; its expected text, a
+//! file in `tests/snapshots`, is written by `INSTA_UPDATE=always cargo test --test scene_errors`
+//! and read by a person before it is committed.
+
+use std::path::Path;
+
+use srt::scene_file::{Diagnostic, ParseOptions, parse, render_diagnostics, summarize};
+
+#[test]
+fn every_bad_scene_is_told_what_is_wrong() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_scenes");
+    let mut cases: Vec<_> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    cases.sort();
+    assert!(cases.len() > 30);
+    for case in cases {
+        let name = case.file_stem().unwrap().to_str().unwrap().to_owned();
+        let source = std::fs::read_to_string(&case).unwrap();
+        insta::with_settings!({ prepend_module_to_snapshot => false, omit_expression => true }, {
+            insta::assert_snapshot!(name.clone(), report(&source, &format!("{name}.sce")));
+        });
+    }
+}
+
+#[test]
+fn unknown_commands_are_warnings_where_asked() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_scenes");
+    let source = std::fs::read_to_string(folder.join("unknown_command.sce")).unwrap();
+    // Its `pushmatrix` is skipped, so its `pop_matrix` has nothing to restore.
+    let source = source.replace("pop_matrix\n", "");
+    let parsed = parse(&source, &ParseOptions { lenient: true }).unwrap();
+    let text = render_diagnostics(&parsed.warnings, &source, "lenient.sce", false);
+    insta::with_settings!({ prepend_module_to_snapshot => false, omit_expression => true }, {
+        insta::assert_snapshot!("lenient", text);
+    });
+    assert_eq!(parsed.description.objects.len(), 1);
+}
+
+#[test]
+fn colour_changes_nothing_but_colour() {
+    let source = "sce1.0\nbal\n";
+    let diagnostics = parse(source, &ParseOptions::default()).unwrap_err();
+    let colored = render_diagnostics(&diagnostics, source, "a.sce", true);
+    assert!(colored.contains("\u{1b}["));
+    let plain = render_diagnostics(&diagnostics, source, "a.sce", false);
+    assert!(!plain.contains('\u{1b}'));
+}
+
+/// What a user reads of a scene: its diagnostics, and how many they are.
+fn report(source: &str, name: &str) -> String {
+    let diagnostics: Vec<Diagnostic> = match parse(source, &ParseOptions::default()) {
+        Ok(parsed) => parsed.warnings,
+        Err(diagnostics) => diagnostics,
+    };
+    assert!(!diagnostics.is_empty(), "{name} is not a bad scene");
+    let text = render_diagnostics(&diagnostics, source, name, false);
+    format!("{text}\n{name}: {}\n", summarize(&diagnostics))
+}
