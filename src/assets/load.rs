@@ -55,7 +55,7 @@ enum Source {
     /// A rule.
     Recipe(Recipe),
     /// Nowhere.
-    Nothing { name: String, failure: Failure },
+    Nothing { name: String, failure: Box<Failure> },
 }
 
 /// What makes two sources one.
@@ -75,8 +75,8 @@ struct Failure {
 }
 
 impl Failure {
-    fn new(problem: Problem, help: Option<String>) -> Self {
-        Self { problem, place: None, help }
+    fn new(problem: Problem, help: Option<String>) -> Box<Self> {
+        Box::new(Self { problem, place: None, help })
     }
 
     fn for_reference(self, reference: usize) -> AssetError {
@@ -104,7 +104,7 @@ impl Source {
         }
     }
 
-    fn load(&self) -> Result<MeshData, Failure> {
+    fn load(&self) -> Result<MeshData, Box<Failure>> {
         match self {
             Self::File { path, .. } => read_file(path),
             Self::Recipe(recipe) => Ok(generate(recipe.kind, recipe.triangles, recipe.seed)),
@@ -113,7 +113,7 @@ impl Source {
     }
 }
 
-fn find_file(path: PathBuf) -> Result<Source, Failure> {
+fn find_file(path: PathBuf) -> Result<Source, Box<Failure>> {
     let canonical = fs::canonicalize(&path).map_err(|error| match error.kind() {
         ErrorKind::NotFound | ErrorKind::NotADirectory => {
             let help = similar_name(&path);
@@ -128,7 +128,7 @@ fn find_file(path: PathBuf) -> Result<Source, Failure> {
     Ok(Source::File { path, canonical })
 }
 
-fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
+fn unreadable(path: &Path, error: &std::io::Error) -> Box<Failure> {
     let reason = error.to_string();
     Failure::new(Problem::Unreadable { path: path.to_owned(), reason }, None)
 }
@@ -154,20 +154,20 @@ fn similar_name(path: &Path) -> String {
     }
 }
 
-fn read_file(path: &Path) -> Result<MeshData, Failure> {
+fn read_file(path: &Path) -> Result<MeshData, Box<Failure>> {
     let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let line = first_bad_line(error.as_bytes(), error.utf8_error().valid_up_to());
-        Failure {
+        Box::new(Failure {
             problem: Problem::NotText { path: path.to_owned() },
             place: Some(Place { path: path.to_owned(), ..line }),
             help: Some("a mesh file is Wavefront OBJ, in UTF-8".to_owned()),
-        }
+        })
     })?;
-    let mesh = obj::read(&text).map_err(|fault| Failure {
-        problem: Problem::Malformed { path: path.to_owned(), what: fault.what },
-        place: Some(Place { path: path.to_owned(), line: fault.line, text: fault.text }),
-        help: Some(fault.help),
+    let mesh = obj::read(&text).map_err(|fault| {
+        let problem = Problem::Malformed { path: path.to_owned(), what: fault.what };
+        let place = Place { path: path.to_owned(), line: fault.line, text: fault.text };
+        Box::new(Failure { problem, place: Some(place), help: Some(fault.help) })
     })?;
     if !mesh.triangles.is_empty() {
         return Ok(mesh);

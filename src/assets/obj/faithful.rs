@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 use std::io::{self, BufRead, Read};
 
 use super::Fault;
-use super::lines::{Line, lines, split_keyword};
+use super::lines::{Line, Lines, lines, split_keyword};
 
 /// More digits than any index has that fits in memory; 10¹⁰ also overflows nothing.
 const MOST_DIGITS: usize = 10;
@@ -22,7 +22,7 @@ const MOST_DIGITS: usize = 10;
 /// See the module's text.
 pub(super) struct Faithful<'a> {
     text: &'a str,
-    lines: Box<dyn Iterator<Item = Line<'a>> + 'a>,
+    lines: Lines<'a>,
     counts: Counts,
     /// The largest index of a face, and the face, for positions and for normals.
     furthest: [(usize, Option<Line<'a>>); 2],
@@ -60,7 +60,7 @@ impl<'a> Faithful<'a> {
     pub(super) fn new(text: &'a str) -> Self {
         Self {
             text,
-            lines: Box::new(lines(text)),
+            lines: lines(text),
             counts: Counts::default(),
             furthest: [(0, None), (0, None)],
             all_normals: None,
@@ -115,7 +115,7 @@ impl<'a> Faithful<'a> {
             _ => return Ok(Verdict::Skip),
         };
         // Blanks around the words do no harm; a remark, colours and joined lines do.
-        let plain = kept.len() == line.raw.trim().len();
+        let plain = kept.len() == line.raw.trim_ascii().len();
         Ok(if plain { Verdict::Keep(line.raw) } else { Verdict::Rewrite(format!("{kept}\n")) })
     }
 
@@ -230,7 +230,8 @@ impl Index {
 /// The indices of the position and of the normal in `v`, `v/vt`, `v//vn` or `v/vt/vn`.
 fn parse_corner(corner: &str) -> Result<[Option<i64>; 2], String> {
     let mut fields = [None; 3];
-    for (i, field) in corner.split('/').enumerate() {
+    // As bytes: this runs for every corner of the file, and text is only cut at slashes.
+    for (i, field) in corner.as_bytes().split(|&b| b == b'/').enumerate() {
         let slot = fields.get_mut(i).ok_or_else(|| {
             format!("the corner `{corner}` has more than a vertex, a texture and a normal index")
         })?;
@@ -241,16 +242,21 @@ fn parse_corner(corner: &str) -> Result<[Option<i64>; 2], String> {
     Ok([fields[0], fields[2]])
 }
 
-fn parse_index(field: &str) -> Result<i64, String> {
-    let digits = field.strip_prefix(['-', '+']).unwrap_or(field);
-    if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
-        return Err(format!("`{field}` is not an index"));
+fn parse_index(field: &[u8]) -> Result<i64, String> {
+    let (negative, digits) = match field {
+        [b'-', digits @ ..] => (true, digits),
+        [b'+', digits @ ..] => (false, digits),
+        digits => (false, digits),
+    };
+    let shown = || String::from_utf8_lossy(field);
+    if digits.is_empty() || !digits.iter().all(u8::is_ascii_digit) {
+        return Err(format!("`{}` is not an index", shown()));
     }
     if digits.len() > MOST_DIGITS {
-        return Err(format!("the index {field} is out of range"));
+        return Err(format!("the index {} is out of range", shown()));
     }
-    let size = digits.bytes().fold(0, |n, b| 10 * n + i64::from(b - b'0'));
-    Ok(if field.starts_with('-') { -size } else { size })
+    let size = digits.iter().fold(0, |n, &b| 10 * n + i64::from(b - b'0'));
+    Ok(if negative { -size } else { size })
 }
 
 /// `v x y z` of `v x y z r g b`; the line itself where there are fewer values.

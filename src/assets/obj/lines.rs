@@ -13,19 +13,18 @@ pub(super) struct Line<'a> {
     pub(super) number: usize,
     /// As written, with its line end.
     pub(super) raw: &'a str,
+    /// Whether it is more than one line of text.
+    joined: bool,
 }
 
 impl<'a> Line<'a> {
     /// What it says: joined, without a remark and without blanks around it.
     pub(super) fn content(&self) -> Cow<'a, str> {
-        let joined = if is_joined(self.raw) {
-            Cow::Owned(self.raw.replace("\\\r\n", " ").replace("\\\n", " "))
+        if self.joined {
+            let text = self.raw.replace("\\\r\n", " ").replace("\\\n", " ");
+            Cow::Owned(without_remark(&text).to_owned())
         } else {
-            Cow::Borrowed(self.raw)
-        };
-        match joined {
-            Cow::Borrowed(text) => Cow::Borrowed(without_remark(text)),
-            Cow::Owned(text) => Cow::Owned(without_remark(&text).to_owned()),
+            Cow::Borrowed(without_remark(self.raw))
         }
     }
 
@@ -39,43 +38,53 @@ impl<'a> Line<'a> {
     }
 }
 
-fn is_joined(raw: &str) -> bool {
-    // The last line end is the line's own, so another one before it was joined.
-    raw.trim_end_matches(['\n', '\r']).contains('\n')
-}
-
 fn without_remark(text: &str) -> &str {
-    text.split('#').next().unwrap_or_default().trim()
+    // Most lines have none, and are long enough for the search of bytes to pay.
+    let end = if text.as_bytes().contains(&b'#') { text.find('#') } else { None };
+    text[..end.unwrap_or(text.len())].trim_ascii()
 }
 
 /// The first word of a line's content, and what follows it.
 pub(super) fn split_keyword(content: &str) -> (&str, &str) {
-    content.split_once(|c: char| c.is_ascii_whitespace()).unwrap_or((content, ""))
+    let end = content.bytes().position(|b| b.is_ascii_whitespace()).unwrap_or(content.len());
+    content.split_at(end)
 }
 
-/// All lines of a text, in order.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
-    let mut rest = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut next_number = 1;
-    std::iter::from_fn(move || {
-        if rest.is_empty() {
-            return None;
-        }
-        let number = next_number;
+/// The lines of a text, in order.
+#[derive(Clone, Debug)]
+pub(super) struct Lines<'a> {
+    rest: &'a str,
+    /// The number of the line at the start of the rest.
+    number: usize,
+}
+
+/// All lines of a text.
+pub(super) fn lines(text: &str) -> Lines<'_> {
+    Lines { rest: text.strip_prefix('\u{feff}').unwrap_or(text), number: 1 }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = Line<'a>;
+
+    fn next(&mut self) -> Option<Line<'a>> {
+        let (rest, number) = (self.rest, self.number);
         let mut end = 0;
-        loop {
-            let start = end;
-            end = rest[start..].find('\n').map_or(rest.len(), |at| start + at + 1);
-            next_number += 1;
-            let line = rest[start..end].trim_end_matches(['\n', '\r']);
-            if end == rest.len() || !line.ends_with('\\') {
+        while end < rest.len() {
+            end = rest[end..].find('\n').map_or(rest.len(), |at| end + at + 1);
+            self.number += 1;
+            if !goes_on(&rest.as_bytes()[..end]) {
                 break;
             }
         }
         let (raw, tail) = rest.split_at(end);
-        rest = tail;
-        Some(Line { number, raw })
-    })
+        self.rest = tail;
+        (end > 0).then_some(Line { number, raw, joined: self.number > number + 1 })
+    }
+}
+
+/// Whether a line that ends here is joined with the next one.
+fn goes_on(line: &[u8]) -> bool {
+    line.ends_with(b"\\\n") || line.ends_with(b"\\\r\n")
 }
 
 #[cfg(test)]
