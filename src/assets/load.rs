@@ -18,6 +18,16 @@ use crate::description::MeshReference;
 /// relative to `folder`. Any file is read as a Wavefront OBJ, whatever its extension; names that
 /// start with `generate:` are [recipes](Recipe).
 ///
+/// ```
+/// use srt::{assets::load_meshes, description::MeshReference};
+///
+/// let knot = MeshReference { name: "generate:torus-knot:5000".to_owned(), span: 0..0 };
+/// let missing = MeshReference { name: "missing.obj".to_owned(), span: 0..0 };
+/// let folder = std::path::Path::new("scenes");
+/// assert_eq!(load_meshes(std::slice::from_ref(&knot), folder).unwrap().len(), 1);
+/// assert_eq!(load_meshes(&[knot, missing], folder).unwrap_err()[0].reference, 1);
+/// ```
+///
 /// # Errors
 /// One for every reference whose mesh cannot be had, in the order of the references.
 pub fn load_meshes(

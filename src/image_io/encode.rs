@@ -54,6 +54,14 @@ pub enum EncodeError {
 /// as 0. `.exr`: the floats as they are. `.hdr`: 8 bits of mantissa under a shared exponent, what
 /// is negative or NaN as 0.
 ///
+/// ```
+/// use srt::image_io::{Format, Picture, encode};
+///
+/// let file = encode(&Picture::new(2, 1), Format::Ppm)?;
+/// assert_eq!(file, b"P6\n2 1 255\n\0\0\0\0\0\0");
+/// # Ok::<(), srt::image_io::EncodeError>(())
+/// ```
+///
 /// # Errors
 /// If the picture is empty, larger than the format allows, or not filled.
 pub fn encode(picture: &Picture, format: Format) -> Result<Vec<u8>, EncodeError> {

@@ -85,6 +85,13 @@ pub const MAX_TRIANGLES: u32 = 100_000_000;
 /// For 1000 or more the number is met within 3 %, by the soup exactly; the icosphere takes the
 /// nearest 20·k² (within 15 % at 1000, 2 % at 70,000, 0.5 % at a million). Smaller numbers give the
 /// least that makes the form. The seed matters to the terrain and the soup.
+///
+/// ```
+/// use srt::assets::generate::{Kind, generate};
+///
+/// let ball = generate(Kind::Icosphere, 70_000, 0);
+/// assert_eq!(ball.triangles.len(), 69_620);
+/// ```
 #[must_use]
 pub fn generate(kind: Kind, triangles: u32, seed: u64) -> MeshData {
     let triangles = triangles.clamp(1, MAX_TRIANGLES);

@@ -14,10 +14,8 @@ use std::fmt::Write as _;
 use std::io::{self, BufRead, Read};
 
 use super::Fault;
+use super::corner::parse_corner;
 use super::lines::{Line, Lines, lines, split_keyword};
-
-/// More digits than any index has that fits in memory; 10¹⁰ also overflows nothing.
-const MOST_DIGITS: usize = 10;
 
 /// See the module's text.
 pub(super) struct Faithful<'a> {
@@ -225,38 +223,6 @@ impl Index {
             Self::Normal => counts.normals,
         }
     }
-}
-
-/// The indices of the position and of the normal in `v`, `v/vt`, `v//vn` or `v/vt/vn`.
-fn parse_corner(corner: &str) -> Result<[Option<i64>; 2], String> {
-    let mut fields = [None; 3];
-    // As bytes: this runs for every corner of the file, and text is only cut at slashes.
-    for (i, field) in corner.as_bytes().split(|&b| b == b'/').enumerate() {
-        let slot = fields.get_mut(i).ok_or_else(|| {
-            format!("the corner `{corner}` has more than a vertex, a texture and a normal index")
-        })?;
-        if !field.is_empty() {
-            *slot = Some(parse_index(field)?);
-        }
-    }
-    Ok([fields[0], fields[2]])
-}
-
-fn parse_index(field: &[u8]) -> Result<i64, String> {
-    let (negative, digits) = match field {
-        [b'-', digits @ ..] => (true, digits),
-        [b'+', digits @ ..] => (false, digits),
-        digits => (false, digits),
-    };
-    let shown = || String::from_utf8_lossy(field);
-    if digits.is_empty() || !digits.iter().all(u8::is_ascii_digit) {
-        return Err(format!("`{}` is not an index", shown()));
-    }
-    if digits.len() > MOST_DIGITS {
-        return Err(format!("the index {} is out of range", shown()));
-    }
-    let size = digits.iter().fold(0, |n, &b| 10 * n + i64::from(b - b'0'));
-    Ok(if negative { -size } else { size })
 }
 
 /// `v x y z` of `v x y z r g b`; the line itself where there are fewer values.

@@ -11,6 +11,7 @@
 //! Read: `v` (with w, or with colours that are ignored), `vn`, `f` with polygons of any number of
 //! corners (as fans, so they should be convex) and negative indices. Everything else is passed over.
 
+mod corner;
 mod explain;
 mod faithful;
 mod lines;
