@@ -1,7 +1,15 @@
 //! The files that a description names, and meshes made by rule: → data in memory.
 //!
-//! With `cli` the only layer that touches files. Knows nothing of tracing.
+//! With `cli` the only layer that touches files. Knows nothing of tracing: a mesh leaves here as
+//! plain arrays with every index in range, every normal of unit length and no degenerate triangle.
 
+mod error;
+pub mod generate;
+mod load;
 mod mesh_data;
+mod normals;
+mod obj;
 
+pub use error::{AssetError, Place, Problem};
+pub use load::load_meshes;
 pub use mesh_data::MeshData;

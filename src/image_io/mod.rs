@@ -1,5 +1,17 @@
-//! Pixels ↔ bytes, by format. Knows no files: bytes come and go in memory.
+//! Pixels ↔ bytes, by format, and the difference of two pictures.
+//!
+//! Knows no files: bytes come and go in memory, and who calls decides where they live. Knows
+//! nothing of scenes or rays either: a picture is a rectangle of linear colours.
 
+mod decode;
+mod difference;
+mod encode;
+mod format;
 mod picture;
+mod quantize;
 
-pub use picture::Picture;
+pub use decode::{DecodeError, decode};
+pub use difference::{Difference, SizeMismatch, compare, difference_picture};
+pub use encode::{EncodeError, encode};
+pub use format::{Format, UnknownFormat};
+pub use picture::{Picture, WrongLength};

@@ -1,0 +1,93 @@
+//! What can be wrong with a mesh that a scene names.
+
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use super::generate::RecipeError;
+
+/// A mesh that cannot be had: which one, why, where in its file, and what would be right.
+///
+/// Displayed it says only what is wrong; the place and the help are for whoever shows the error to
+/// mark as fits.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("{problem}")]
+pub struct AssetError {
+    /// Index of the reference among those that were to be loaded.
+    pub reference: usize,
+    /// What is wrong.
+    pub problem: Problem,
+    /// The line of the mesh file that is wrong, where one is.
+    pub place: Option<Place>,
+    /// What would be right.
+    pub help: Option<String>,
+}
+
+/// A line of a mesh file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The file.
+    pub path: PathBuf,
+    /// The line's number, from 1.
+    pub line: usize,
+    /// The line itself, without its end; cut where it is very long.
+    pub text: String,
+}
+
+/// Why there is no mesh.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum Problem {
+    /// No such file.
+    #[error("there is no mesh file `{}`", path.display())]
+    Missing {
+        /// Where it was looked for.
+        path: PathBuf,
+    },
+    /// A folder where a file should be.
+    #[error("`{}` is a folder, not a mesh file", path.display())]
+    Directory {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// The operating system does not let the file be read.
+    #[error("cannot read the mesh file `{}`: {reason}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the operating system said.
+        reason: String,
+    },
+    /// Bytes that are not UTF-8 text.
+    #[error("the mesh file `{}` is not text", path.display())]
+    NotText {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A line that is no OBJ, or that says what cannot be.
+    #[error("malformed mesh file `{}`: {what}", path.display())]
+    Malformed {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with the line.
+        what: String,
+    },
+    /// Nothing to see in the file.
+    #[error("the mesh file `{}` {}", path.display(), if *empty { "is empty" } else { "has no faces" })]
+    NoFaces {
+        /// The file.
+        path: PathBuf,
+        /// Whether there is nothing in it at all.
+        empty: bool,
+    },
+    /// Nothing left of the file once triangles without area were dropped.
+    #[error("no triangle of the mesh file `{}` has an area ({dropped} degenerate)", path.display())]
+    OnlyDegenerate {
+        /// The file.
+        path: PathBuf,
+        /// How many there were.
+        dropped: usize,
+    },
+    /// A name that starts like a generated mesh and goes on otherwise.
+    #[error(transparent)]
+    Recipe(#[from] RecipeError),
+}

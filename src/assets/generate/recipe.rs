@@ -1,0 +1,140 @@
+//! Names of generated meshes: `generate:KIND:TRIANGLES[:SEED]`.
+
+use thiserror::Error;
+
+use super::{Kind, MAX_TRIANGLES};
+
+const PREFIX: &str = "generate:";
+
+/// What a name of the form `generate:KIND:TRIANGLES[:SEED]` asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Recipe {
+    /// What to make.
+    pub kind: Kind,
+    /// Of about how many triangles; from 1 to [`MAX_TRIANGLES`].
+    pub triangles: u32,
+    /// Which of the many; 0 where none is written.
+    pub seed: u64,
+}
+
+/// A name that starts with `generate:` and goes on otherwise.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum RecipeError {
+    /// No generator of that name.
+    #[error("there is no generator `{name}`")]
+    UnknownKind {
+        /// The name.
+        name: String,
+    },
+    /// Not a number of triangles that can be made.
+    #[error("`{count}` is not a number of triangles")]
+    BadCount {
+        /// What is written in its place.
+        count: String,
+    },
+    /// Not a number.
+    #[error("`{seed}` is not a seed")]
+    BadSeed {
+        /// What is written in its place.
+        seed: String,
+    },
+    /// Parts are missing, or there are too many.
+    #[error("`{name}` is not the name of a generated mesh")]
+    WrongParts {
+        /// The whole name.
+        name: String,
+    },
+}
+
+impl RecipeError {
+    /// What would be right.
+    #[must_use]
+    pub fn help(&self) -> String {
+        match self {
+            Self::UnknownKind { name } => {
+                let distance = |kind: &Kind| strsim::osa_distance(kind.name(), name);
+                match Kind::ALL.into_iter().min_by_key(distance).filter(|kind| distance(kind) <= 2)
+                {
+                    Some(kind) => format!("did you mean `{kind}`? The kinds are {}", kinds()),
+                    None => format!("the kinds are {}", kinds()),
+                }
+            }
+            Self::BadCount { .. } => format!("write a whole number from 1 to {MAX_TRIANGLES}"),
+            Self::BadSeed { .. } => format!("write a whole number from 0 to {}", u64::MAX),
+            Self::WrongParts { .. } => {
+                format!("write `generate:KIND:TRIANGLES[:SEED]`, KIND one of {}", kinds())
+            }
+        }
+    }
+}
+
+impl Recipe {
+    /// What a name asks for; `None` if it does not start with `generate:`.
+    #[must_use]
+    pub fn parse(name: &str) -> Option<Result<Self, RecipeError>> {
+        let parts: Vec<_> = name.strip_prefix(PREFIX)?.split(':').collect();
+        Some(match parts[..] {
+            [kind, triangles] => Self::of_parts(kind, triangles, "0"),
+            [kind, triangles, seed] => Self::of_parts(kind, triangles, seed),
+            _ => Err(RecipeError::WrongParts { name: name.to_owned() }),
+        })
+    }
+
+    fn of_parts(kind: &str, triangles: &str, seed: &str) -> Result<Self, RecipeError> {
+        let unknown = || RecipeError::UnknownKind { name: kind.to_owned() };
+        let count = triangles.parse().ok().filter(|n| (1..=MAX_TRIANGLES).contains(n));
+        Ok(Self {
+            kind: Kind::from_name(kind).ok_or_else(unknown)?,
+            triangles: count
+                .ok_or_else(|| RecipeError::BadCount { count: triangles.to_owned() })?,
+            seed: seed.parse().map_err(|_| RecipeError::BadSeed { seed: seed.to_owned() })?,
+        })
+    }
+}
+
+fn kinds() -> String {
+    Kind::ALL.map(Kind::name).join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_read() {
+        let recipe = |kind, triangles, seed| Some(Ok(Recipe { kind, triangles, seed }));
+        assert_eq!(Recipe::parse("generate:hall:5000"), recipe(Kind::Hall, 5000, 0));
+        assert_eq!(Recipe::parse("generate:torus-knot:1:9"), recipe(Kind::TorusKnot, 1, 9));
+        assert_eq!(Recipe::parse("meshes/generate.obj"), None);
+    }
+
+    #[test]
+    fn wrong_names_say_what_would_be_right() {
+        let error = |name: &str| {
+            let error = Recipe::parse(name).unwrap().unwrap_err();
+            (error.to_string(), error.help())
+        };
+        let kinds = "icosphere, torus-knot, terrain, hall, soup";
+        assert_eq!(
+            error("generate:icospere:100"),
+            (
+                "there is no generator `icospere`".to_owned(),
+                format!("did you mean `icosphere`? The kinds are {kinds}")
+            )
+        );
+        assert_eq!(error("generate:cow:100").1, format!("the kinds are {kinds}"));
+        for bad in ["0", "-1", "1e6", "", "100000001", "99999999999"] {
+            assert_eq!(
+                error(&format!("generate:hall:{bad}")),
+                (
+                    format!("`{bad}` is not a number of triangles"),
+                    "write a whole number from 1 to 100000000".to_owned()
+                )
+            );
+        }
+        assert_eq!(error("generate:hall:100:x").0, "`x` is not a seed");
+        for bad in ["generate:", "generate:hall", "generate:hall:1:2:3"] {
+            assert_eq!(error(bad).0, format!("`{bad}` is not the name of a generated mesh"));
+        }
+    }
+}

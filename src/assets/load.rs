@@ -1,0 +1,203 @@
+//! The meshes that a scene names, each read or made once.
+
+use std::collections::HashMap;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::generate::{Recipe, generate};
+use super::{AssetError, MeshData, Place, Problem, obj};
+use crate::description::MeshReference;
+
+/// Loads the meshes of a scene: the i-th of the result is that of the i-th reference.
+///
+/// Names that lead to the same file, or that are made by the same rule, share one mesh. Paths are
+/// relative to `folder`. Any file is read as a Wavefront OBJ, whatever its extension; names that
+/// start with `generate:` are [recipes](Recipe).
+///
+/// ```
+/// use srt::{assets::load_meshes, description::MeshReference};
+///
+/// let knot = MeshReference { name: "generate:torus-knot:5000".to_owned(), span: 0..0 };
+/// let missing = MeshReference { name: "missing.obj".to_owned(), span: 0..0 };
+/// let folder = std::path::Path::new("scenes");
+/// assert_eq!(load_meshes(std::slice::from_ref(&knot), folder).unwrap().len(), 1);
+/// assert_eq!(load_meshes(&[knot, missing], folder).unwrap_err()[0].reference, 1);
+/// ```
+///
+/// # Errors
+/// One for every reference whose mesh cannot be had, in the order of the references.
+pub fn load_meshes(
+    references: &[MeshReference],
+    folder: &Path,
+) -> Result<Vec<Arc<MeshData>>, Vec<AssetError>> {
+    let sources: Vec<_> = references.iter().map(|r| Source::of(&r.name, folder)).collect();
+    let mut slots = HashMap::new();
+    let mut distinct = Vec::new();
+    let slot_of: Vec<usize> = sources
+        .iter()
+        .map(|source| {
+            *slots.entry(source.key()).or_insert_with(|| {
+                distinct.push(source);
+                distinct.len() - 1
+            })
+        })
+        .collect();
+    let loaded: Vec<_> = distinct.par_iter().map(|source| source.load().map(Arc::new)).collect();
+    let mut meshes = Vec::new();
+    let mut errors = Vec::new();
+    for (reference, &slot) in slot_of.iter().enumerate() {
+        match &loaded[slot] {
+            Ok(mesh) => meshes.push(Arc::clone(mesh)),
+            Err(failure) => errors.push(failure.clone().for_reference(reference)),
+        }
+    }
+    if errors.is_empty() { Ok(meshes) } else { Err(errors) }
+}
+
+/// Where a mesh comes from.
+enum Source {
+    /// A file: its path as written, and the one that all names of the file share.
+    File { path: PathBuf, canonical: PathBuf },
+    /// A rule.
+    Recipe(Recipe),
+    /// Nowhere.
+    Nothing { name: String, failure: Box<Failure> },
+}
+
+/// What makes two sources one.
+#[derive(PartialEq, Eq, Hash)]
+enum Key {
+    File(PathBuf),
+    Recipe(Recipe),
+    Nothing(String),
+}
+
+/// An [`AssetError`] that does not know yet whose it is.
+#[derive(Clone)]
+struct Failure {
+    problem: Problem,
+    place: Option<Place>,
+    help: Option<String>,
+}
+
+impl Failure {
+    fn new(problem: Problem, help: Option<String>) -> Box<Self> {
+        Box::new(Self { problem, place: None, help })
+    }
+
+    fn for_reference(self, reference: usize) -> AssetError {
+        AssetError { reference, problem: self.problem, place: self.place, help: self.help }
+    }
+}
+
+impl Source {
+    fn of(name: &str, folder: &Path) -> Self {
+        let found = match Recipe::parse(name) {
+            Some(recipe) => recipe.map(Self::Recipe).map_err(|error| {
+                let help = error.help();
+                Failure::new(error.into(), Some(help))
+            }),
+            None => find_file(folder.join(name)),
+        };
+        found.unwrap_or_else(|failure| Self::Nothing { name: name.to_owned(), failure })
+    }
+
+    fn key(&self) -> Key {
+        match self {
+            Self::File { canonical, .. } => Key::File(canonical.clone()),
+            Self::Recipe(recipe) => Key::Recipe(*recipe),
+            Self::Nothing { name, .. } => Key::Nothing(name.clone()),
+        }
+    }
+
+    fn load(&self) -> Result<MeshData, Box<Failure>> {
+        match self {
+            Self::File { path, .. } => read_file(path),
+            Self::Recipe(recipe) => Ok(generate(recipe.kind, recipe.triangles, recipe.seed)),
+            Self::Nothing { failure, .. } => Err(failure.clone()),
+        }
+    }
+}
+
+fn find_file(path: PathBuf) -> Result<Source, Box<Failure>> {
+    let canonical = fs::canonicalize(&path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound | ErrorKind::NotADirectory => {
+            let help = similar_name(&path);
+            Failure::new(Problem::Missing { path: path.clone() }, Some(help))
+        }
+        _ => unreadable(&path, &error),
+    })?;
+    if canonical.is_dir() {
+        let help = "name the .obj file in it".to_owned();
+        return Err(Failure::new(Problem::Directory { path }, Some(help)));
+    }
+    Ok(Source::File { path, canonical })
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> Box<Failure> {
+    let reason = error.to_string();
+    Failure::new(Problem::Unreadable { path: path.to_owned(), reason }, None)
+}
+
+/// Names the file beside a missing one whose name is most like it, if one is.
+fn similar_name(path: &Path) -> String {
+    let wanted = path.file_name().map(|n| n.to_string_lossy().to_lowercase()).unwrap_or_default();
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let Ok(entries) = fs::read_dir(folder) else {
+        return format!("there is no folder `{}` either", folder.display());
+    };
+    let mut names: Vec<String> = entries
+        .flatten()
+        .filter(|entry| entry.path().is_file())
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort(); // the order of a folder is not the same everywhere
+    let similarity = |name: &String| strsim::jaro_winkler(&name.to_lowercase(), &wanted);
+    let best = names.iter().max_by(|a, b| similarity(a).total_cmp(&similarity(b)));
+    match best.filter(|name| similarity(name) > 0.8) {
+        Some(name) => format!("did you mean `{name}`?"),
+        None => "mesh paths are relative to the folder of the scene file".to_owned(),
+    }
+}
+
+fn read_file(path: &Path) -> Result<MeshData, Box<Failure>> {
+    let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let line = first_bad_line(error.as_bytes(), error.utf8_error().valid_up_to());
+        Box::new(Failure {
+            problem: Problem::NotText { path: path.to_owned() },
+            place: Some(Place { path: path.to_owned(), ..line }),
+            help: Some("a mesh file is Wavefront OBJ, in UTF-8".to_owned()),
+        })
+    })?;
+    let mesh = obj::read(&text).map_err(|fault| {
+        let problem = Problem::Malformed { path: path.to_owned(), what: fault.what };
+        let place = Place { path: path.to_owned(), line: fault.line, text: fault.text };
+        Box::new(Failure { problem, place: Some(place), help: Some(fault.help) })
+    })?;
+    if !mesh.triangles.is_empty() {
+        return Ok(mesh);
+    }
+    let path = path.to_owned();
+    let problem = match mesh.dropped {
+        0 => Problem::NoFaces { path, empty: text.trim().is_empty() },
+        dropped => Problem::OnlyDegenerate { path, dropped },
+    };
+    let help = "a mesh is a Wavefront OBJ file: `v x y z` lines, then `f a b c` lines";
+    Err(Failure::new(problem, Some(help.to_owned())))
+}
+
+/// The line that holds the byte at `offset`, its readable part; the path is left open.
+fn first_bad_line(bytes: &[u8], offset: usize) -> Place {
+    let line = 1 + bytes[..offset].iter().filter(|&&b| b == b'\n').count();
+    let start = bytes[..offset].iter().rposition(|&b| b == b'\n').map_or(0, |at| at + 1);
+    let text = String::from_utf8_lossy(&bytes[start..offset]).chars().take(200).collect();
+    Place { path: PathBuf::new(), line, text }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,68 @@
+//! Files, folders and recipes: what is shared, and what is said when something is missing.
+
+use super::*;
+
+const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+fn references(names: &[&str]) -> Vec<MeshReference> {
+    names.iter().map(|name| MeshReference { name: (*name).to_owned(), span: 0..0 }).collect()
+}
+
+fn folder_with(files: &[(&str, &[u8])]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, bytes) in files {
+        fs::write(folder.path().join(name), bytes).unwrap();
+    }
+    folder
+}
+
+#[test]
+fn names_of_one_mesh_share_it() {
+    let folder = folder_with(&[("a.obj", TRIANGLE.as_bytes()), ("b.ob", TRIANGLE.as_bytes())]);
+    let names =
+        ["a.obj", "./a.obj", "b.ob", "generate:soup:9", "generate:soup:9:0", "generate:soup:9:1"];
+    let meshes = load_meshes(&references(&names), folder.path()).unwrap();
+    assert!(Arc::ptr_eq(&meshes[0], &meshes[1]) && !Arc::ptr_eq(&meshes[0], &meshes[2]));
+    assert!(Arc::ptr_eq(&meshes[3], &meshes[4]) && !Arc::ptr_eq(&meshes[3], &meshes[5]));
+    assert_eq!(meshes[0], meshes[2]);
+    assert_eq!(meshes[5].triangles.len(), 9);
+}
+
+#[test]
+fn every_mesh_that_cannot_be_had_is_an_error() {
+    let folder = folder_with(&[
+        ("bunny.obj", TRIANGLE.as_bytes()),
+        ("bad.obj", b"v 0 0 0\nf 1 2 3\n"),
+        ("empty.obj", b"\n"),
+        ("points.obj", b"v 0 0 0\n"),
+        ("flat.obj", b"v 0 0 0\nv 1 1 1\nf 1 2 2\n"),
+        ("latin.obj", b"v 0 0 0\n# cr\xe9\xe9\n"),
+    ]);
+    fs::create_dir(folder.path().join("meshes")).unwrap();
+    let names = [
+        "bunny.obj",
+        "buny.obj",
+        "nothing/x.obj",
+        "meshes",
+        "bad.obj",
+        "empty.obj",
+        "points.obj",
+        "flat.obj",
+        "latin.obj",
+        "generate:hal:10",
+        "generate:hall:0",
+        "zzz.obj",
+        "bad.obj",
+    ];
+    let errors = load_meshes(&references(&names), folder.path()).unwrap_err();
+    let said: Vec<String> = errors
+        .iter()
+        .map(|error| {
+            let place = error.place.as_ref().map(|p| format!(" [{}: {}]", p.line, p.text));
+            let help = error.help.as_deref().unwrap_or_default();
+            format!("{} {error}{} ({help})", error.reference, place.unwrap_or_default())
+        })
+        .collect();
+    let root = format!("{}{}", folder.path().display(), std::path::MAIN_SEPARATOR);
+    insta::assert_snapshot!(said.join("\n").replace(&root, ""));
+}
