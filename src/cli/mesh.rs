@@ -1,4 +1,5 @@
-//! `srt mesh`: a generated mesh as a Wavefront OBJ file. What the meshes look like is not known here.
+//! `srt mesh`: a generated mesh as a Wavefront OBJ file. What the meshes look like is not known
+//! here.
 
 use super::args::MeshArguments;
 use super::exit::{Exit, Outcome};

@@ -5,12 +5,12 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `args.rs`, `values.rs` | what was typed |
+//! | `args.rs`, `render_args.rs`, `values.rs` | what was typed |
 //! | `options.rs` | what was validated |
 //! | `render.rs`, `check.rs`, `diff.rs`, `mesh.rs`, `completions.rs`, `man.rs` | the subcommands |
 //! | `output/` | where results go, whole or not at all |
 //! | `terminal.rs`, `interrupt.rs`, `progress.rs` | the terminal |
-//! | `source.rs` | the text of a scene |
+//! | `source.rs`, `inventory.rs` | a scene's text; what is in it |
 //! | `report.rs`, `summary.rs`, `units.rs` | figures → text |
 //! | `exit.rs` | how the command ends |
 
@@ -20,6 +20,8 @@ mod completions;
 mod diff;
 mod exit;
 mod interrupt;
+#[cfg_attr(not(test), expect(dead_code, reason = "told once scenes can be parsed"))]
+mod inventory;
 mod man;
 mod mesh;
 mod options;
@@ -27,6 +29,7 @@ mod output;
 mod pending;
 mod progress;
 mod render;
+mod render_args;
 mod report;
 mod source;
 mod summary;

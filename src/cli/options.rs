@@ -5,10 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 
-use super::args::{RenderArguments, Sampling, StatsForm, View};
 use super::exit::Failure;
 use super::output::{Output, prepare_picture};
 use super::pending::{Format, STRUCTURES, Structure};
+use super::render_args::{RenderArguments, Sampling, StatsForm, View};
 use super::values::{Crop, Size};
 use crate::accel::{BuildConfig, Quality};
 

@@ -1,12 +1,12 @@
 //! The default command: a scene → a picture. The work is `render`'s; this file reads the scene,
 //! puts the options and the scene's own together, shows progress, and writes.
 
-use super::args::RenderArguments;
 use super::exit::{Exit, Failure, Outcome};
 use super::interrupt::Interrupt;
 use super::options::{RenderOptions, Stats};
 use super::output::{OutputError, print};
 use super::pending::{Traced, encode, trace};
+use super::render_args::RenderArguments;
 use super::report::Report;
 use super::terminal::tell;
 use super::{source, summary};

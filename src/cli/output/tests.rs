@@ -130,6 +130,26 @@ mod unix {
     }
 
     #[test]
+    fn pipes_are_written_to_and_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        let pipe = folder.path().join("pipe");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        if !made.is_ok_and(|status| status.success()) {
+            return;
+        }
+        let reader = std::thread::spawn({
+            let pipe = pipe.clone();
+            move || fs::read(pipe).unwrap()
+        });
+        let (output, format) = prepare_picture(&pipe, None).unwrap();
+        assert_eq!(format, Format::Ppm);
+        output.write(|to| to.write_all(b"through")).unwrap();
+        assert_eq!(reader.join().unwrap(), b"through");
+        assert_eq!(names(folder.path()), ["pipe"]);
+        assert!(!fs::metadata(&pipe).unwrap().is_file());
+    }
+
+    #[test]
     fn standard_output_has_many_names() {
         let folder = tempfile::tempdir().unwrap();
         let link = folder.path().join("a.png");
