@@ -49,7 +49,17 @@ fn pages() -> io::Result<Vec<(String, Vec<u8>)>> {
 fn page(command: Command) -> io::Result<Vec<u8>> {
     let mut page = Vec::new();
     Man::new(command).render(&mut page)?;
-    Ok(page)
+    Ok(keep_lines(&String::from_utf8_lossy(&page)).into_bytes())
+}
+
+/// Keeps the lines of the last part of the help as they are: it holds examples and lists, which
+/// roff would fill and justify as if they were prose.
+fn keep_lines(page: &str) -> String {
+    let Some((before, extra)) = page.split_once(".SH EXTRA\n") else {
+        return page.to_owned();
+    };
+    let (extra, after) = extra.split_at(extra.find(".SH ").unwrap_or(extra.len()));
+    format!("{before}.SH NOTES\n.nf\n{extra}.fi\n{after}")
 }
 
 #[cfg(test)]
@@ -64,6 +74,12 @@ mod tests {
             ["srt.1", "srt-check.1", "srt-diff.1", "srt-mesh.1", "srt-completions.1", "srt-man.1"];
         assert_eq!(names, expected);
         assert!(pages.iter().all(|(_, page)| page.starts_with(b".ie")));
+    }
+
+    #[test]
+    fn examples_keep_their_lines() {
+        let page = keep_lines(".SH NAME\na\n.SH EXTRA\n  b\n  c\n.SH VERSION\nd\n");
+        assert_eq!(page, ".SH NAME\na\n.SH NOTES\n.nf\n  b\n  c\n.fi\n.SH VERSION\nd\n");
     }
 
     #[test]
