@@ -8,6 +8,7 @@
 
 pub mod accel;
 pub mod assets;
+pub mod cli;
 pub mod counters;
 pub mod description;
 pub mod image_io;

@@ -1,3 +1,7 @@
-//! The command `srt`.
+//! The command `srt`: see [`srt::cli`].
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    srt::cli::run()
+}

@@ -1,0 +1,160 @@
+//! What was typed: the command's one definition, from which help, completions and the man page
+//! are made too. The options of rendering have a file of their own, `render_args.rs`.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, value_parser};
+
+use super::exit::EXIT_CODES;
+use super::pending::Kind;
+use super::render_args::RenderArguments;
+
+const EXAMPLES: &str = "\
+Examples:
+  srt scene.sce picture.tga                        render
+  srt scene.sce picture.png --accel none --stats   the same picture the slow way, with figures
+  srt scene.sce detail.png --crop 90,50,190,150 --aa 8
+  srt scene.sce cost.png --view heatmap            what the rays of each pixel cost
+  srt scene.sce - --format png | display -         to a pipe
+  srt check scenes/*.sce                           validate without rendering
+  srt diff old.png new.png -o difference.png       compare two pictures
+
+A scene whose file has the name of a subcommand is named with its folder: `srt ./check out.tga`.";
+
+/// Renders a scene to a picture.
+#[derive(Debug, Parser)]
+#[command(
+    name = "srt",
+    version,
+    about = "Ray tracer: renders a scene with the acceleration structure of your choice",
+    long_about = "Ray tracer: renders a scene (sce1.0) to a picture, with the acceleration \
+        structure of your choice. The picture is the same, bit for bit, whatever the structure and \
+        the number of threads; the speed is not, and that is what srt shows.",
+    after_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"),
+    args_conflicts_with_subcommands = true,
+    subcommand_negates_reqs = true,
+    max_term_width = 100
+)]
+pub(crate) struct Arguments {
+    /// What to do instead of rendering.
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+    /// What to render.
+    #[command(flatten)]
+    pub(crate) render: RenderArguments,
+}
+
+/// The subcommands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Validate scenes without rendering and tell what is in them
+    Check(CheckArguments),
+    /// Compare two pictures
+    Diff(DiffArguments),
+    /// Generate a mesh as a Wavefront OBJ file
+    Mesh(MeshArguments),
+    /// Print the completions of a shell
+    Completions(CompletionsArguments),
+    /// Print the man page, or write it and those of the subcommands into a folder
+    Man(ManArguments),
+}
+
+/// `srt check`.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Exit codes: 0 all are valid, 1 a scene is invalid, 2 a file cannot be read.\n\n\
+    Example:\n  srt check scenes/*.sce"
+)]
+pub(crate) struct CheckArguments {
+    /// The scene files
+    #[arg(value_name = "SCENE", required = true)]
+    pub(crate) scenes: Vec<PathBuf>,
+
+    /// Take unknown commands of the scenes as warnings
+    #[arg(long)]
+    pub(crate) lenient: bool,
+}
+
+/// `srt diff`.
+#[derive(Debug, Args)]
+#[command(after_help = "Exit codes: 0 the pictures are equal, 1 they differ, 2 trouble.\n\n\
+    Example:\n  srt diff old.png new.png -o difference.png")]
+pub(crate) struct DiffArguments {
+    /// A picture
+    #[arg(value_name = "A")]
+    pub(crate) a: PathBuf,
+
+    /// Another picture
+    #[arg(value_name = "B")]
+    pub(crate) b: PathBuf,
+
+    /// Write a picture of where they differ, unless they are equal
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Print nothing but errors; the exit code tells
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+}
+
+/// `srt mesh`.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Where the form does not allow every number of triangles, the mesh has about as \
+    many.\n\n\
+    Example:\n  srt mesh terrain --triangles 70000 --seed 7 -o terrain.obj"
+)]
+pub(crate) struct MeshArguments {
+    /// The form
+    #[arg(value_name = "KIND", value_parser = kinds())]
+    pub(crate) kind: Kind,
+
+    /// How many triangles
+    #[arg(long, short = 'n', value_name = "N", allow_negative_numbers = true,
+        value_parser = value_parser!(u32).range(1..=100_000_000))]
+    pub(crate) triangles: u32,
+
+    /// Where the random numbers start
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub(crate) seed: u64,
+
+    /// The file to write; `-` is standard output
+    #[arg(long, short, value_name = "FILE", default_value = "-")]
+    pub(crate) output: PathBuf,
+}
+
+/// `srt completions`.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Example:\n  srt completions bash > ~/.local/share/bash-completion/completions/srt"
+)]
+pub(crate) struct CompletionsArguments {
+    /// The shell
+    #[arg(value_enum, value_name = "SHELL")]
+    pub(crate) shell: clap_complete::Shell,
+}
+
+/// `srt man`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  srt man | man -l -\n  srt man ~/.local/share/man/man1")]
+pub(crate) struct ManArguments {
+    /// The folder to write srt.1, srt-check.1, … into; without it, srt.1 is printed
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: Option<PathBuf>,
+}
+
+fn kinds() -> impl TypedValueParser<Value = Kind> {
+    named(&Kind::ALL, Kind::name)
+}
+
+/// Takes the name of one of a set of things.
+pub(super) fn named<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.iter().map(|&thing| name(thing))).try_map(move |typed| {
+        let found = all.iter().copied().find(|&thing| name(thing) == typed);
+        found.ok_or_else(|| format!("there is no `{typed}`"))
+    })
+}

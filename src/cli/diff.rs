@@ -1,0 +1,91 @@
+//! `srt diff`: whether two pictures are equal, and where they are not. Comparing is the work of
+//! `image_io`; this file reads, tells and exits.
+
+use std::fs;
+use std::path::Path;
+
+use super::args::DiffArguments;
+use super::exit::{Exit, Failure, Outcome};
+use super::output::{Output, prepare_picture, print};
+use super::pending::{Difference, Format, compare, decode, difference_picture, encode};
+use crate::image_io::Picture;
+
+/// Compares two pictures: [`Exit::Fine`] if they are equal, [`Exit::Negative`] if not.
+pub(super) fn run(arguments: &DiffArguments) -> Outcome {
+    // The place of the result is checked before the work.
+    let output = arguments.output.as_deref().map(|path| prepare_picture(path, None)).transpose()?;
+    let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
+    let difference = compare(&a, &b).map_err(Failure::new)?;
+    if !arguments.quiet && !output.as_ref().is_some_and(|(output, _)| output.is_stdout()) {
+        print(&verdict(&difference, &a))?;
+    }
+    if difference.differing == 0 {
+        return Ok(Exit::Fine);
+    }
+    if let Some((output, format)) = output {
+        write(&difference_picture(&a, &b), output, format)?;
+    }
+    Ok(Exit::Negative)
+}
+
+fn read(path: &Path) -> Result<Picture, Failure> {
+    let trouble = |why: &dyn std::fmt::Display| {
+        Failure::new(format_args!("cannot read `{}`: {why}", path.display()))
+    };
+    let format = Format::from_path(path)
+        .ok_or_else(|| trouble(&"its extension is that of no picture format"))?;
+    let bytes = fs::read(path).map_err(|error| trouble(&error))?;
+    decode(&bytes, format).map_err(|error| trouble(&error))
+}
+
+fn write(picture: &Picture, output: Output, format: Format) -> Result<(), Failure> {
+    let bytes = encode(picture, format).map_err(Failure::new)?;
+    output.write(|to| to.write_all(&bytes)).map_err(Failure::from)
+}
+
+/// What is told of two pictures of the same size.
+fn verdict(difference: &Difference, picture: &Picture) -> String {
+    let pixels = u64::from(picture.width) * u64::from(picture.height);
+    let size = format!("{} × {} pixels", picture.width, picture.height);
+    if difference.differing == 0 {
+        return format!("equal: {size}\n");
+    }
+    let share = 100.0 * difference.differing as f64 / pixels as f64;
+    let first =
+        difference.first.map_or(String::new(), |(x, y)| format!(", the first at ({x}, {y})"));
+    format!(
+        "different: {} of {pixels} pixels ({share:.3} %) of {size}{first}\n\
+         largest difference {:.6}, mean {:.3e}, root mean square {:.3e}\n",
+        difference.differing, difference.largest, difference.mean, difference.rmse,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture() -> Picture {
+        Picture { width: 20, height: 10, pixels: vec![crate::math::Color::ZERO; 200] }
+    }
+
+    #[test]
+    fn equal_pictures() {
+        assert_eq!(verdict(&Difference::default(), &picture()), "equal: 20 × 10 pixels\n");
+    }
+
+    #[test]
+    fn different_pictures() {
+        let difference = Difference {
+            differing: 3,
+            largest: 0.5,
+            mean: 0.00125,
+            rmse: 0.025,
+            first: Some((4, 7)),
+        };
+        assert_eq!(
+            verdict(&difference, &picture()),
+            "different: 3 of 200 pixels (1.500 %) of 20 × 10 pixels, the first at (4, 7)\n\
+             largest difference 0.500000, mean 1.250e-3, root mean square 2.500e-2\n"
+        );
+    }
+}

@@ -1,0 +1,179 @@
+//! What is in a scene, in words: what `srt check` prints of a valid one.
+
+use std::fmt::Write;
+
+use crate::assets::MeshData;
+use crate::description::{Camera, Light, SceneDescription, Shape};
+use crate::math::Aabb;
+
+/// Describes a scene. `meshes` holds the data of each of its mesh references; `bounds` is the box
+/// around all objects in world space, empty if there are none.
+pub(crate) fn describe<'a>(
+    scene: &SceneDescription,
+    meshes: impl Fn(usize) -> &'a MeshData,
+    bounds: Aabb,
+) -> String {
+    let lines = [
+        ("objects", objects(scene)),
+        ("triangles", triangles(scene, meshes)),
+        ("lights", lights(&scene.lights)),
+        ("materials", scene.materials.len().to_string()),
+        ("bounds", corners(bounds)),
+        ("camera", camera(&scene.camera)),
+        ("picture", picture(scene)),
+    ];
+    let mut text = String::new();
+    for (name, value) in lines {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "  {name:<11}{value}");
+    }
+    text
+}
+
+fn objects(scene: &SceneDescription) -> String {
+    let count = |is: fn(&Shape) -> bool| scene.objects.iter().filter(|o| is(&o.shape)).count();
+    enumerate(&[
+        (count(|shape| matches!(shape, Shape::Ball { .. })), "ball"),
+        (count(|shape| matches!(shape, Shape::Cylinder)), "cylinder"),
+        (count(|shape| matches!(shape, Shape::Triangle { .. })), "triangle"),
+        (count(|shape| matches!(shape, Shape::Mesh { .. })), "mesh"),
+    ])
+}
+
+fn lights(lights: &[Light]) -> String {
+    let areas = lights.iter().filter(|light| matches!(light, Light::Area { .. })).count();
+    enumerate(&[(lights.len() - areas, "point light"), (areas, "area light")])
+}
+
+/// Triangles as they are traced: those of a mesh count for each object that names it.
+fn triangles<'a>(scene: &SceneDescription, meshes: impl Fn(usize) -> &'a MeshData) -> String {
+    let of = |shape: &Shape| match shape {
+        Shape::Triangle { .. } => 1,
+        Shape::Mesh { mesh, .. } => meshes(*mesh).triangles.len(),
+        Shape::Ball { .. } | Shape::Cylinder => 0,
+    };
+    let traced: usize = scene.objects.iter().map(|object| of(&object.shape)).sum();
+    match scene.meshes.len() {
+        0 => traced.to_string(),
+        1 => format!("{traced}, with those of 1 mesh file"),
+        files => format!("{traced}, with those of {files} mesh files"),
+    }
+}
+
+fn corners(bounds: Aabb) -> String {
+    if bounds.is_empty() {
+        return "none".to_owned();
+    }
+    let (low, high) = (bounds.min.to_array(), bounds.max.to_array());
+    format!("{} to {}", point(low.map(f64::from)), point(high.map(f64::from)))
+}
+
+fn camera(camera: &Camera) -> String {
+    format!(
+        "eye {}, direction {}, up {}, {}° high",
+        point(camera.eye.to_array()),
+        point(camera.direction.to_array()),
+        point(camera.up.to_array()),
+        camera.fovy_degrees,
+    )
+}
+
+fn picture(scene: &SceneDescription) -> String {
+    let samples = match scene.options.aa {
+        0 => "1 sample a pixel".to_owned(),
+        n => format!("{n} × {n} samples a pixel"),
+    };
+    let Camera { width, height, .. } = scene.camera;
+    format!("{width} × {height}, {samples}, at most {} bounces", scene.options.max_recursion)
+}
+
+/// Coordinates with at most six significant digits or so: enough to find them in the scene.
+fn point(coordinates: [f64; 3]) -> String {
+    let [x, y, z] = coordinates.map(|c| {
+        let text = if c.abs() < 1e6 { format!("{c:.4}") } else { format!("{c:.5e}") };
+        match text.split_once('.') {
+            Some((_, decimals)) if !decimals.contains('e') => {
+                text.trim_end_matches('0').trim_end_matches('.').to_owned()
+            }
+            _ => text,
+        }
+    });
+    format!("({x}, {y}, {z})")
+}
+
+/// `3: 1 ball, 2 cylinders`, without the kinds that do not occur.
+fn enumerate(kinds: &[(usize, &str)]) -> String {
+    let total: usize = kinds.iter().map(|(n, _)| n).sum();
+    let named: Vec<String> =
+        kinds.iter().filter(|(n, _)| *n > 0).map(|(n, kind)| counted(*n, kind)).collect();
+    match total {
+        0 => "none".to_owned(),
+        _ => format!("{total}: {}", named.join(", ")),
+    }
+}
+
+/// `1 mesh`, `2 meshes`.
+fn counted(n: usize, kind: &str) -> String {
+    let ending = match (n, kind.ends_with('h')) {
+        (1, _) => "",
+        (_, true) => "es",
+        (_, false) => "s",
+    };
+    format!("{n} {kind}{ending}")
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DAffine3, DVec3, Vec3A};
+
+    use super::*;
+    use crate::description::{Material, MeshReference, Normals, Object, Options};
+    use crate::math::Color;
+
+    fn scene(shapes: Vec<Shape>) -> SceneDescription {
+        let object =
+            |shape| Object { shape, transform: DAffine3::IDENTITY, material: 0, span: 0..0 };
+        SceneDescription {
+            camera: Camera {
+                eye: DVec3::new(0.0, -5.25, 0.0),
+                direction: DVec3::Y,
+                up: DVec3::Z,
+                distance: 1.0,
+                fovy_degrees: 40.5,
+                width: 16,
+                height: 12,
+            },
+            options: Options { max_recursion: 2, aa: 3, background: Color::ZERO },
+            materials: vec![Material::default()],
+            meshes: Vec::new(),
+            objects: shapes.into_iter().map(object).collect(),
+            lights: vec![Light::Point { position: DVec3::ONE, color: Color::ONE }],
+        }
+    }
+
+    #[test]
+    fn a_scene_in_words() {
+        let mesh = || Shape::Mesh { mesh: 0, normals: Normals::Flat };
+        let mut scene = scene(vec![Shape::Cylinder, mesh(), mesh()]);
+        scene.meshes = vec![MeshReference { name: "a.obj".to_owned(), span: 0..0 }];
+        let data = MeshData { triangles: vec![[0, 1, 2]; 7], ..MeshData::default() };
+        let bounds = Aabb { min: Vec3A::splat(-1.5), max: Vec3A::new(2.0, 3e7, 0.125) };
+        let expected = "  \
+  objects    3: 1 cylinder, 2 meshes
+  triangles  14, with those of 1 mesh file
+  lights     1: 1 point light
+  materials  1
+  bounds     (-1.5, -1.5, -1.5) to (2, 3.00000e7, 0.125)
+  camera     eye (0, -5.25, 0), direction (0, 1, 0), up (0, 0, 1), 40.5° high
+  picture    16 × 12, 3 × 3 samples a pixel, at most 2 bounces
+";
+        assert_eq!(describe(&scene, |_| &data, bounds), expected);
+    }
+
+    #[test]
+    fn an_empty_scene_in_words() {
+        let text = describe(&scene(Vec::new()), |_| unreachable!(), Aabb::EMPTY);
+        assert!(text.contains("objects    none\n"), "{text}");
+        assert!(text.contains("bounds     none\n"), "{text}");
+    }
+}

@@ -1,0 +1,92 @@
+//! `srt man`: the man pages, from the definition in `args.rs`.
+
+use std::io;
+use std::path::Path;
+
+use clap::{Command, CommandFactory};
+use clap_mangen::Man;
+
+use super::args::{Arguments, ManArguments};
+use super::exit::{Exit, Failure, Outcome};
+use super::output::Output;
+
+/// Prints `srt.1`, or writes it and the subcommands' pages into a folder.
+pub(super) fn run(arguments: &ManArguments) -> Outcome {
+    match &arguments.folder {
+        None => print(),
+        Some(folder) => write_all(folder),
+    }
+}
+
+fn print() -> Outcome {
+    let page = page(Arguments::command()).map_err(Failure::new)?;
+    Output::stdout().write(|to| to.write_all(&page)).map_err(Failure::from)?;
+    Ok(Exit::Fine)
+}
+
+fn write_all(folder: &Path) -> Outcome {
+    for (name, page) in pages().map_err(Failure::new)? {
+        let output = Output::prepare(&folder.join(name)).map_err(Failure::from)?;
+        output.write(|to| to.write_all(&page)).map_err(Failure::from)?;
+    }
+    Ok(Exit::Fine)
+}
+
+/// The name and text of every page: `srt.1`, then `srt-check.1` and so on.
+fn pages() -> io::Result<Vec<(String, Vec<u8>)>> {
+    let mut command = Arguments::command();
+    command.build();
+    let mut pages = vec![("srt.1".to_owned(), page(command.clone())?)];
+    for subcommand in command.get_subcommands().filter(|s| s.get_name() != "help") {
+        let name = format!("srt-{}", subcommand.get_name());
+        // What a page names at its top takes text that lives as long as the program.
+        let title: &'static str = name.clone().leak();
+        pages.push((format!("{name}.1"), page(subcommand.clone().name(title))?));
+    }
+    Ok(pages)
+}
+
+fn page(command: Command) -> io::Result<Vec<u8>> {
+    let mut page = Vec::new();
+    Man::new(command).render(&mut page)?;
+    Ok(keep_lines(&String::from_utf8_lossy(&page)).into_bytes())
+}
+
+/// Keeps the lines of the last part of the help as they are: it holds examples and lists, which
+/// roff would fill and justify as if they were prose.
+fn keep_lines(page: &str) -> String {
+    let Some((before, extra)) = page.split_once(".SH EXTRA\n") else {
+        return page.to_owned();
+    };
+    let (extra, after) = extra.split_at(extra.find(".SH ").unwrap_or(extra.len()));
+    format!("{before}.SH NOTES\n.nf\n{extra}.fi\n{after}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_subcommand_has_a_page() {
+        let pages = pages().unwrap();
+        let names: Vec<&str> = pages.iter().map(|(name, _)| name.as_str()).collect();
+        let expected =
+            ["srt.1", "srt-check.1", "srt-diff.1", "srt-mesh.1", "srt-completions.1", "srt-man.1"];
+        assert_eq!(names, expected);
+        assert!(pages.iter().all(|(_, page)| page.starts_with(b".ie")));
+    }
+
+    #[test]
+    fn examples_keep_their_lines() {
+        let page = keep_lines(".SH NAME\na\n.SH EXTRA\n  b\n  c\n.SH VERSION\nd\n");
+        assert_eq!(page, ".SH NAME\na\n.SH NOTES\n.nf\n  b\n  c\n.fi\n.SH VERSION\nd\n");
+    }
+
+    #[test]
+    fn the_page_lists_the_exit_codes() {
+        let page = String::from_utf8(page(Arguments::command()).unwrap()).unwrap();
+        for code in ["0 ", "1 ", "2 ", "130 ", "141 "] {
+            assert!(page.lines().any(|line| line.trim_start().starts_with(code)), "{code}: {page}");
+        }
+    }
+}

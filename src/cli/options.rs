@@ -1,0 +1,207 @@
+//! What was typed → what was validated: the options of a rendering, checked as far as they can be
+//! before the scene is read. Nothing here is optional that the rendering needs.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::thread::available_parallelism;
+
+use super::exit::Failure;
+use super::output::{Output, prepare_picture};
+use super::pending::{Format, STRUCTURES, Structure};
+use super::render_args::{RenderArguments, Sampling, StatsForm, View};
+use super::values::{Crop, Size};
+use crate::accel::{BuildConfig, Quality};
+
+/// Everything a rendering is told, but for what the scene says.
+#[derive(Debug)]
+#[expect(dead_code, reason = "read once the renderer is part of the library")]
+pub(crate) struct RenderOptions {
+    /// The scene's file.
+    pub(crate) scene: PathBuf,
+    /// Where the picture goes.
+    pub(crate) output: Output,
+    /// In which format.
+    pub(crate) format: Format,
+    /// The structure that is traced.
+    pub(crate) structure: &'static Structure,
+    /// How it is built.
+    pub(crate) build: BuildConfig,
+    /// Threads that build and render.
+    pub(crate) threads: usize,
+    /// What counts more than what the scene says.
+    pub(crate) overrides: Overrides,
+    /// How the samples of lights are made.
+    pub(crate) sampling: Sampling,
+    /// The root of the number of samples of each area light.
+    pub(crate) light_samples: u32,
+    /// Where the random numbers start.
+    pub(crate) seed: u64,
+    /// The part to render, if not all.
+    pub(crate) crop: Option<Crop>,
+    /// What the pixels show.
+    pub(crate) view: View,
+    /// Whether unknown commands are warnings.
+    pub(crate) lenient: bool,
+    /// Whether an interrupted rendering is written.
+    pub(crate) keep_partial: bool,
+    /// Which figures are printed, and where.
+    pub(crate) stats: Option<Stats>,
+    /// Whether progress, warnings and the last line are left out.
+    pub(crate) quiet: bool,
+}
+
+/// Options that a scene has too.
+#[derive(Clone, Copy, Debug)]
+#[expect(dead_code, reason = "read once the renderer is part of the library")]
+pub(crate) struct Overrides {
+    /// Instead of `nx` and `ny`.
+    pub(crate) size: Option<Size>,
+    /// Instead of `aasample`.
+    pub(crate) aa: Option<u32>,
+    /// Instead of `max_recursion`.
+    pub(crate) max_recursion: Option<u32>,
+}
+
+/// The figures that `--stats` asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stats {
+    /// The table, on standard error.
+    Table,
+    /// JSON on standard output, or on standard error where the picture goes to standard output.
+    Json {
+        /// Which of the two.
+        to_stderr: bool,
+    },
+}
+
+impl RenderOptions {
+    /// Validates what was typed, and checks the place of the picture.
+    pub(crate) fn new(typed: RenderArguments) -> Result<Self, Failure> {
+        let scene = typed.scene.ok_or_else(|| Failure::new("no scene was named"))?;
+        let output = typed.output.ok_or_else(|| Failure::new("no output was named"))?;
+        if let (Some(crop), Some(size)) = (typed.crop, typed.size) {
+            check_crop(crop, size)?;
+        }
+        let (output, format) = prepare_picture(&output, typed.format)?;
+        refuse_same_file(&scene, &output)?;
+        Ok(Self {
+            structure: structure(&typed.accel)?,
+            build: build_config(typed.build),
+            threads: typed.threads.map_or_else(all_processors, usize::from),
+            overrides: Overrides {
+                size: typed.size,
+                aa: typed.aa,
+                max_recursion: typed.max_recursion,
+            },
+            sampling: typed.sampling,
+            light_samples: typed.light_samples,
+            seed: typed.seed,
+            crop: typed.crop,
+            view: typed.view,
+            lenient: typed.lenient,
+            keep_partial: typed.keep_partial,
+            stats: typed.stats.map(|form| stats(form, &output)),
+            quiet: typed.quiet,
+            scene,
+            output,
+            format,
+        })
+    }
+}
+
+/// A crop must lie within the picture; its size may be known only from the scene.
+pub(crate) fn check_crop(crop: Crop, size: Size) -> Result<(), Failure> {
+    if crop.is_within(size) {
+        return Ok(());
+    }
+    Err(Failure::new(format_args!(
+        "the crop {crop} does not lie within the picture of {size} pixels"
+    )))
+}
+
+/// A typing error (`srt scene.sce scene.sce --format png`) must not cost the scene.
+fn refuse_same_file(scene: &Path, output: &Output) -> Result<(), Failure> {
+    let real = |path: &Path| fs::canonicalize(path).ok();
+    let same = output.file().and_then(real).is_some_and(|file| real(scene) == Some(file));
+    if same {
+        return Err(Failure::new(format_args!(
+            "the output would replace the scene `{}`",
+            scene.display()
+        )));
+    }
+    Ok(())
+}
+
+fn structure(name: &str) -> Result<&'static Structure, Failure> {
+    let found = STRUCTURES.iter().find(|structure| structure.name == name);
+    found.ok_or_else(|| Failure::new(format_args!("there is no structure `{name}`")))
+}
+
+fn build_config(quality: Quality) -> BuildConfig {
+    BuildConfig { quality, ..BuildConfig::default() }
+}
+
+fn all_processors() -> usize {
+    available_parallelism().map_or(1, std::num::NonZero::get)
+}
+
+fn stats(form: StatsForm, output: &Output) -> Stats {
+    match form {
+        StatsForm::Table => Stats::Table,
+        StatsForm::Json => Stats::Json { to_stderr: output.is_stdout() },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::super::args::Arguments;
+    use super::*;
+
+    fn options(typed: &[&str]) -> Result<RenderOptions, Failure> {
+        let arguments = ["srt", "a.sce", "/dev/null"].iter().chain(typed);
+        RenderOptions::new(Arguments::try_parse_from(arguments).unwrap().render)
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn defaults() {
+        let options = options(&[]).unwrap();
+        assert_eq!(options.structure.name, "bvh");
+        assert_eq!(options.build, BuildConfig::default());
+        assert!(options.threads >= 1);
+        assert_eq!(options.light_samples, 1);
+        assert_eq!(options.view, View::Color);
+        assert_eq!(options.stats, None);
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn figures_go_where_the_picture_does_not() {
+        assert_eq!(options(&["--stats"]).unwrap().stats, Some(Stats::Table));
+        let json = options(&["--stats=json"]).unwrap().stats;
+        assert_eq!(json, Some(Stats::Json { to_stderr: false }));
+        let to_pipe = stats(StatsForm::Json, &Output::stdout());
+        assert_eq!(to_pipe, Stats::Json { to_stderr: true });
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_crop_outside_is_refused() {
+        let message = options(&["--size", "10x10", "--crop", "0,0,11,10"]).unwrap_err();
+        assert!(message.to_string().contains("0,0,11,10"), "{message}");
+        assert!(options(&["--size", "10x10", "--crop", "0,0,10,10"]).is_ok());
+    }
+
+    #[test]
+    fn the_scene_is_not_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = folder.path().join("a.sce");
+        fs::write(&scene, "sce1.0").unwrap();
+        let scene = scene.to_str().unwrap();
+        let typed = ["srt", scene, scene, "--format", "png"];
+        let arguments = Arguments::try_parse_from(typed).unwrap().render;
+        assert!(RenderOptions::new(arguments).unwrap_err().to_string().contains("replace"));
+    }
+}

@@ -1,0 +1,109 @@
+//! A file that appears whole or not at all: written beside its place, then renamed into it.
+
+use std::fs::{self, File, OpenOptions};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use tempfile::NamedTempFile;
+
+use super::target::folder_of;
+
+/// The files that are being written now, for a second Ctrl-C to remove.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Whether a file can be made or replaced: its folder takes new files, and it is not read-only.
+pub(super) fn check(path: &Path) -> io::Result<()> {
+    match OpenOptions::new().write(true).open(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+        Ok(_) | Err(_) => {}
+    }
+    // Only to make one tells whether one can be made: permissions are not all that may forbid it.
+    create_beside(path).map(drop)
+}
+
+/// Writes a file with the permissions of the one it replaces, or with those of any new file.
+pub(super) fn replace(path: &Path, body: impl FnOnce(&File) -> io::Result<()>) -> io::Result<()> {
+    let file = Unfinished::create(path)?;
+    body(file.temporary.as_file())?;
+    if let Ok(replaced) = fs::metadata(path) {
+        keep_permissions(file.temporary.as_file(), &replaced)?;
+    }
+    // A rename may reach the disk before what was written; after a crash the file would be empty.
+    file.temporary.as_file().sync_all()?;
+    file.finish(path)
+}
+
+/// Removes what is being written, and ends the process.
+pub(crate) fn abandon_and_exit(code: i32) -> ! {
+    // The lock is held until the end, so that no other file begins or ends meanwhile.
+    let unfinished = lock();
+    for path in unfinished.iter() {
+        let _ = fs::remove_file(path);
+    }
+    std::process::exit(code)
+}
+
+/// A temporary file that a second Ctrl-C knows of. It is removed when dropped.
+struct Unfinished {
+    temporary: NamedTempFile,
+}
+
+impl Unfinished {
+    fn create(path: &Path) -> io::Result<Self> {
+        let mut unfinished = lock();
+        let temporary = create_beside(path)?;
+        unfinished.push(temporary.path().to_owned());
+        Ok(Self { temporary })
+    }
+
+    /// Renames it into its place.
+    fn finish(self, path: &Path) -> io::Result<()> {
+        let mut unfinished = lock();
+        let own = self.temporary.path().to_owned();
+        self.temporary.persist(path).map_err(|error| error.error)?;
+        unfinished.retain(|other| *other != own);
+        Ok(())
+    }
+}
+
+fn lock() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A new file in the same folder, so that the rename cannot cross file systems.
+fn create_beside(path: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".srt-").suffix(".tmp");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // What any program's new file gets; the process's umask takes its part of it away.
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder_of(path)).map_err(without_path)
+}
+
+/// tempfile's errors name the temporary file, which says nothing to whoever typed another name.
+fn without_path(error: io::Error) -> io::Error {
+    let inner = error.get_ref().and_then(std::error::Error::source);
+    match inner.and_then(|source| source.downcast_ref::<io::Error>()) {
+        Some(source) => match source.raw_os_error() {
+            Some(code) => io::Error::from_raw_os_error(code),
+            None => source.kind().into(),
+        },
+        None => error,
+    }
+}
+
+/// Gives a file the permissions of the one it replaces, and its owner where the system allows it.
+fn keep_permissions(file: &File, replaced: &fs::Metadata) -> io::Result<()> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::{MetadataExt, fchown};
+        // Refused to all but root, who alone replaces other users' files often. First the owner:
+        // a change of it may take permissions away.
+        let _ = fchown(file, Some(replaced.uid()), Some(replaced.gid()));
+    }
+    file.set_permissions(replaced.permissions())
+}

@@ -1,0 +1,89 @@
+//! The progress bar: percent, million rays a second, time left. Silent unless a person watches.
+
+use std::fmt::Write;
+use std::io::IsTerminal;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+
+use super::interrupt::Interrupt;
+use super::units;
+
+/// How often the bar is drawn anew, so that time passes on it even between tiles.
+const TICK: Duration = Duration::from_millis(200);
+
+/// Watches a rendering: shows how far it is, and tells it to stop.
+#[derive(Debug)]
+pub(crate) struct Progress {
+    bar: ProgressBar,
+    rays: Arc<AtomicU64>,
+    interrupt: Interrupt,
+}
+
+impl Progress {
+    /// Begins at no pixel of `pixels`. Nothing is shown if `quiet` or if standard error is no
+    /// terminal.
+    pub(crate) fn start(pixels: u64, quiet: bool, interrupt: Interrupt) -> Self {
+        let rays = Arc::new(AtomicU64::new(0));
+        let bar = ProgressBar::with_draw_target(Some(pixels), ProgressDrawTarget::hidden());
+        if !quiet && std::io::stderr().is_terminal() {
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+            bar.set_style(style(Arc::clone(&rays)));
+            bar.enable_steady_tick(TICK);
+        }
+        Self { bar, rays, interrupt }
+    }
+
+    /// Notes a tile.
+    pub(crate) fn tile_done(&self, pixels: u64, rays: u64) {
+        self.rays.fetch_add(rays, Ordering::Relaxed);
+        self.bar.inc(pixels);
+    }
+
+    /// Whether the rendering shall stop.
+    pub(crate) fn cancelled(&self) -> bool {
+        self.interrupt.is_asked()
+    }
+}
+
+impl Drop for Progress {
+    /// Leaves the terminal as it was.
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+fn style(rays: Arc<AtomicU64>) -> ProgressStyle {
+    let rate = move |state: &ProgressState, to: &mut dyn Write| {
+        let speed = units::rays_per_second(rays.load(Ordering::Relaxed), state.elapsed());
+        // Nothing can be done about a terminal that takes no text.
+        let _ = to.write_str(&speed);
+    };
+    ProgressStyle::with_template("{bar:32} {percent:>3} %  {rate}  {eta} left")
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .with_key("rate", rate)
+        .progress_chars("█▉▊▋▌▍▎▏ ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiles_add_up() {
+        let progress = Progress::start(100, true, Interrupt::default());
+        progress.tile_done(30, 1_000);
+        progress.tile_done(70, 500);
+        assert_eq!(progress.bar.position(), 100);
+        assert_eq!(progress.rays.load(Ordering::Relaxed), 1_500);
+        assert!(!progress.cancelled());
+    }
+
+    #[test]
+    fn the_template_is_valid() {
+        let template = "{bar:32} {percent:>3} %  {rate}  {eta} left";
+        assert!(ProgressStyle::with_template(template).is_ok());
+    }
+}

@@ -1,0 +1,161 @@
+//! The options of rendering, as typed. Knows no rule that takes two options to check; see
+//! `options.rs`.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueEnum, value_parser};
+
+use super::args::named;
+use super::pending::{Format, STRUCTURES};
+use super::values::{Crop, Size};
+use crate::accel::Quality;
+
+/// The default command: rendering.
+#[derive(Debug, Args)]
+pub(crate) struct RenderArguments {
+    /// The scene file (sce1.0)
+    #[arg(value_name = "SCENE", required = true)]
+    pub(crate) scene: Option<PathBuf>,
+
+    /// The picture to write; `-` is standard output
+    ///
+    /// The format goes by the extension. A file appears whole or not at all; a pipe or device is
+    /// written to. A pipe or device without a known extension, and `-`, get ppm.
+    #[arg(value_name = "OUTPUT", required = true)]
+    pub(crate) output: Option<PathBuf>,
+
+    /// The acceleration structure
+    #[arg(long, value_name = "NAME", default_value = "bvh", value_parser = structure_names(),
+        help_heading = "Structure")]
+    pub(crate) accel: String,
+
+    /// How long a build may take for a better tree
+    #[arg(long, value_name = "QUALITY", default_value = "medium", value_parser = qualities(),
+        help_heading = "Structure")]
+    pub(crate) build: Quality,
+
+    /// Threads that build and render [default: one a processor]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = value_parser!(u16).range(1..=1024), help_heading = "Structure")]
+    pub(crate) threads: Option<u16>,
+
+    /// Width and height in pixels [default: as the scene says]
+    #[arg(long, value_name = "WxH", help_heading = "Picture")]
+    pub(crate) size: Option<Size>,
+
+    /// Render only the columns x0 to x1 and rows y0 to y1, counted from the top left
+    ///
+    /// x1 and y1 are the first column and row outside: 0,0,320,240 is the top left corner, 320
+    /// pixels wide and 240 high. The picture holds these pixels alone, with the values that they
+    /// have in the whole one.
+    #[arg(long, value_name = "x0,y0,x1,y1", help_heading = "Picture")]
+    pub(crate) crop: Option<Crop>,
+
+    /// N × N samples a pixel; 0 is one ray through its centre [default: as the scene says]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = value_parser!(u32).range(0..=1024), help_heading = "Picture")]
+    pub(crate) aa: Option<u32>,
+
+    /// How the samples of lights are made
+    #[arg(long, value_enum, value_name = "WAY", default_value_t, help_heading = "Picture")]
+    pub(crate) sampling: Sampling,
+
+    /// N × N samples of each area light for each sample of a pixel
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 1,
+        value_parser = value_parser!(u32).range(1..=1024), help_heading = "Picture")]
+    pub(crate) light_samples: u32,
+
+    /// How many mirror bounces and refractions a ray may take [default: as the scene says]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = value_parser!(u32).range(0..=1000), help_heading = "Picture")]
+    pub(crate) max_recursion: Option<u32>,
+
+    /// Where the random numbers of the samples start
+    #[arg(
+        long,
+        value_name = "N",
+        allow_negative_numbers = true,
+        default_value_t = 0,
+        help_heading = "Picture"
+    )]
+    pub(crate) seed: u64,
+
+    /// What the pixels show
+    #[arg(long, value_enum, value_name = "WHAT", default_value_t, help_heading = "Picture")]
+    pub(crate) view: View,
+
+    /// The picture's format, whatever the extension
+    #[arg(long, value_name = "FORMAT", value_parser = formats(), help_heading = "Output")]
+    pub(crate) format: Option<Format>,
+
+    /// Take unknown commands of the scene as warnings
+    #[arg(long, help_heading = "Output")]
+    pub(crate) lenient: bool,
+
+    /// After Ctrl-C, write what has been rendered so far
+    #[arg(long, help_heading = "Output")]
+    pub(crate) keep_partial: bool,
+
+    /// Count, and print the figures of the structure and the rays
+    ///
+    /// The table goes to standard error. JSON goes to standard output, unless the picture does.
+    /// Counting takes some time; the picture stays the same.
+    #[arg(long, value_enum, value_name = "FORM", num_args = 0..=1, require_equals = true,
+        default_missing_value = "table", help_heading = "Output")]
+    pub(crate) stats: Option<StatsForm>,
+
+    /// Print errors, and what --stats asks for, but nothing else
+    #[arg(long, short, help_heading = "Output")]
+    pub(crate) quiet: bool,
+}
+
+/// How the samples of lights are made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Sampling {
+    /// made once, then shuffled for each pixel and light
+    Shuffled,
+    /// made on the fly for each sample
+    #[default]
+    Independent,
+}
+
+/// What the pixels show.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum View {
+    /// the shaded scene
+    #[default]
+    Color,
+    /// the normal of the surface
+    Normal,
+    /// the distance from the eye
+    Depth,
+    /// which object was hit, a colour each
+    Object,
+    /// which primitive was hit, a colour each
+    Primitive,
+    /// how many boxes and primitives the rays tested
+    Heatmap,
+}
+
+/// The forms of `--stats`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum StatsForm {
+    /// for people
+    Table,
+    /// for programs
+    Json,
+}
+
+/// The names of the structures, with what they are.
+fn structure_names() -> PossibleValuesParser {
+    STRUCTURES.iter().map(|s| PossibleValue::new(s.name).help(s.summary)).into()
+}
+
+fn qualities() -> impl TypedValueParser<Value = Quality> {
+    named(&Quality::ALL, Quality::name)
+}
+
+fn formats() -> impl TypedValueParser<Value = Format> {
+    named(&Format::ALL, Format::name)
+}

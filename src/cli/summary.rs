@@ -1,0 +1,131 @@
+//! Figures → text: the line at the end of a rendering, and the table of `--stats`.
+
+use std::fmt::Write;
+
+use super::report::{RayClass, Report};
+use super::units;
+use crate::counters::Counts;
+
+/// Size, structure, build time, render time, rays by class, million rays a second.
+pub(crate) fn line(report: &Report) -> String {
+    let partial = if report.partial { " (stopped early)" } else { "" };
+    format!(
+        "{} × {}, {}: built in {}, rendered in {}{partial}, {}, {}",
+        report.width,
+        report.height,
+        report.structure,
+        units::time(report.build_time),
+        units::time(report.render_time),
+        rays(report),
+        units::rays_per_second(report.total_rays(), report.render_time),
+    )
+}
+
+/// `9.92 M rays (1.92 M view, 8.00 M shadow)`.
+fn rays(report: &Report) -> String {
+    let classes: Vec<String> = report
+        .rays
+        .iter()
+        .filter(|class| class.rays > 0)
+        .map(|class| format!("{} {}", units::count(class.rays), class.name))
+        .collect();
+    let total = units::count(report.total_rays());
+    if classes.is_empty() {
+        format!("{total} rays")
+    } else {
+        format!("{total} rays ({})", classes.join(", "))
+    }
+}
+
+/// The table of `--stats`: facts about the structure, then a line for each class of rays.
+pub(crate) fn table(report: &Report) -> String {
+    let mut text = String::new();
+    for (name, value) in facts(report) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{name:<12}{value}");
+    }
+    text.push('\n');
+    let heading = ["rays", "count", "boxes/ray", "primitives/ray"].map(str::to_owned);
+    let rows = report.rays.iter().map(row).chain(total_row(report));
+    for [name, count, boxes, primitives] in std::iter::once(heading).chain(rows) {
+        let _ = writeln!(text, "{name:<12}{count:>10}{boxes:>13}{primitives:>18}");
+    }
+    text
+}
+
+fn facts(report: &Report) -> [(&'static str, String); 8] {
+    let shape = &report.shape;
+    [
+        ("structure", format!("{}, {} build", report.structure, report.build)),
+        ("built in", units::time(report.build_time)),
+        ("rendered in", units::time(report.render_time)),
+        ("threads", report.threads.to_string()),
+        ("memory", units::bytes(shape.bytes)),
+        ("nodes", units::count(shape.nodes)),
+        ("leaves", units::count(shape.leaves)),
+        ("depth", shape.depth.to_string()),
+    ]
+}
+
+fn row(class: &RayClass) -> [String; 4] {
+    let per_ray = |n: fn(Counts) -> u64| {
+        class.counts.map_or("–".to_owned(), |counts| units::per_ray(n(counts), class.rays))
+    };
+    [
+        class.name.to_owned(),
+        units::count(class.rays),
+        per_ray(|counts| counts.boxes),
+        per_ray(|counts| counts.primitives),
+    ]
+}
+
+/// All classes together, if there are several.
+fn total_row(report: &Report) -> Option<[String; 4]> {
+    let mut counts = Counts::default();
+    for class in &report.rays {
+        counts += class.counts?;
+    }
+    let total = RayClass { name: "all", rays: report.total_rays(), counts: Some(counts) };
+    (report.rays.len() > 1).then(|| row(&total))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::report::tests::example;
+    use super::*;
+
+    #[test]
+    fn the_line() {
+        assert_eq!(
+            line(&example()),
+            "800 × 600, bvh: built in 45.6 ms, rendered in 1.25 s, \
+             9.92 M rays (1.92 M view, 8.00 M shadow), 7.94 M rays/s"
+        );
+    }
+
+    #[test]
+    fn the_line_of_a_stopped_rendering_says_so() {
+        let report = Report { partial: true, rays: Vec::new(), ..example() };
+        assert!(line(&report).contains("rendered in 1.25 s (stopped early), 0 rays, "));
+    }
+
+    #[test]
+    fn the_table() {
+        let expected = "\
+structure   bvh, medium build
+built in    45.6 ms
+rendered in 1.25 s
+threads     2
+memory      4.50 MiB
+nodes       140 k
+leaves      70.0 k
+depth       23
+
+rays             count    boxes/ray    primitives/ray
+view            1.92 M        23.40              4.10
+shadow          8.00 M        12.00              0.50
+all             9.92 M        14.21              1.20
+";
+        assert_eq!(table(&example()), expected);
+    }
+}

@@ -1,0 +1,48 @@
+//! Text for the person at the terminal: standard error, and whether it is coloured.
+
+use std::ffi::OsStr;
+use std::io::{self, IsTerminal, Write};
+
+/// Writes a line to standard error. If nobody can read it, nothing is left to tell anybody, and
+/// that must not change how the command ends (`eprintln!` would panic).
+pub(crate) fn tell(text: impl std::fmt::Display) {
+    let _ = writeln!(io::stderr(), "{text}");
+}
+
+/// Tells an error: `error: …`, as all messages of the command begin.
+pub(crate) fn tell_error(message: impl std::fmt::Display) {
+    let (bold_red, plain) = if colors() { ("\x1b[1;31m", "\x1b[0m") } else { ("", "") };
+    tell(format_args!("{bold_red}error:{plain} {message}"));
+}
+
+/// Whether text for standard error may carry colours.
+pub(crate) fn colors() -> bool {
+    decide(
+        std::env::var_os("NO_COLOR").as_deref(),
+        std::env::var_os("TERM").as_deref(),
+        io::stderr().is_terminal(),
+    )
+}
+
+/// The rule of <https://no-color.org>: any `NO_COLOR` but an empty one says no; so does a terminal
+/// that calls itself dumb, and anything that is no terminal.
+fn decide(no_color: Option<&OsStr>, term: Option<&OsStr>, terminal: bool) -> bool {
+    let asked_not_to = no_color.is_some_and(|value| !value.is_empty());
+    let dumb = term.is_some_and(|value| value == "dumb");
+    terminal && !asked_not_to && !dumb
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_are_for_terminals_that_want_them() {
+        let text = |s: &'static str| Some(OsStr::new(s));
+        assert!(decide(None, text("xterm"), true));
+        assert!(decide(text(""), None, true));
+        assert!(!decide(text("1"), text("xterm"), true));
+        assert!(!decide(None, text("dumb"), true));
+        assert!(!decide(None, text("xterm"), false));
+    }
+}
