@@ -18,23 +18,26 @@ pub(super) struct LightSum {
 }
 
 impl LightSum {
-    /// Adds one direction to a light, of any length, from which `share` of the light arrives.
-    #[inline]
-    pub(super) fn add(
+    /// Adds directions to a light, of any length, and the share of the light that arrives along
+    /// each: in their order, so that the sum is the same however they are parted.
+    pub(super) fn add<'a>(
         &mut self,
         material: &Material,
         normal: Vec3,
         view_dir: Vec3,
-        to_light: Vec3,
-        share: f32,
+        arriving: impl Iterator<Item = (&'a Vec3, &'a f32)>,
     ) {
-        let l = to_light * to_light.length_recip();
-        self.diffuse += share * normal.dot(l).max(0.0);
-        if material.specular != Color::ZERO {
-            let half = l - view_dir;
-            let cosine = (normal.dot(half) * half.length_recip()).clamp(0.0, 1.0);
-            if cosine > 0.0 {
-                self.specular += share * power(cosine, material.shininess);
+        let mirrors = material.specular != Color::ZERO;
+        for (to_light, &share) in arriving {
+            // Where nothing arrives, adding nothing is cheaper than a branch.
+            let l = to_light * to_light.length_recip();
+            self.diffuse += share * normal.dot(l).max(0.0);
+            if mirrors && share > 0.0 {
+                let half = l - view_dir;
+                let cosine = (normal.dot(half) * half.length_recip()).clamp(0.0, 1.0);
+                if cosine > 0.0 {
+                    self.specular += share * power(cosine, material.shininess);
+                }
             }
         }
     }
@@ -60,7 +63,7 @@ mod tests {
             ..Material::default()
         };
         let mut sum = LightSum::default();
-        sum.add(&material, Vec3::Z, -Vec3::Z, 7.0 * Vec3::Z, 1.0);
+        sum.add(&material, Vec3::Z, -Vec3::Z, [(&(7.0 * Vec3::Z), &1.0)].into_iter());
         let color = sum.color(&material, Color::splat(0.8), 1);
         assert!((color - 0.8 * (material.reflectance + material.specular)).length() < 1e-6);
     }
@@ -70,7 +73,8 @@ mod tests {
         let material = Material { specular: Color::ONE, shininess: 10.0, ..Material::default() };
         let mut sum = LightSum::default();
         let (sin, cos) = 60f32.to_radians().sin_cos();
-        sum.add(&material, Vec3::Z, -Vec3::Z, Vec3::new(sin, 0.0, cos), 1.0);
+        let to_light = Vec3::new(sin, 0.0, cos);
+        sum.add(&material, Vec3::Z, -Vec3::Z, [(&to_light, &1.0)].into_iter());
         assert!((sum.diffuse - 0.5).abs() < 1e-6);
         assert!((sum.specular - 30f32.to_radians().cos().powi(10)).abs() < 1e-5);
     }
@@ -78,7 +82,8 @@ mod tests {
     #[test]
     fn light_from_behind_gives_nothing_diffuse() {
         let mut sum = LightSum::default();
-        sum.add(&Material::default(), Vec3::Z, -Vec3::Z, -Vec3::Z, 1.0);
+        let below = [(&-Vec3::Z, &1.0)].into_iter();
+        sum.add(&Material::default(), Vec3::Z, -Vec3::Z, below);
         assert_eq!(sum, LightSum::default());
     }
 }
