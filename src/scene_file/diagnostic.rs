@@ -28,6 +28,19 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// Other places that belong to it, each with a few words: where a brace was opened, say.
     pub related: Vec<(Span, String)>,
+    /// The line of another file that is to blame, where one is.
+    pub elsewhere: Option<LineElsewhere>,
+}
+
+/// A line of a file that the scene names: of a mesh, say.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LineElsewhere {
+    /// The file's name, as it shall be shown.
+    pub file: String,
+    /// The line's number, from 1.
+    pub line: usize,
+    /// The line itself, without its end.
+    pub text: String,
 }
 
 impl Diagnostic {
@@ -44,7 +57,15 @@ impl Diagnostic {
     }
 
     fn new(severity: Severity, span: Span, message: String) -> Self {
-        Self { severity, span, message, label: None, help: None, related: Vec::new() }
+        Self {
+            severity,
+            span,
+            message,
+            label: None,
+            help: None,
+            related: Vec::new(),
+            elsewhere: None,
+        }
     }
 
     /// The same with a few words at the marked place.
@@ -64,6 +85,12 @@ impl Diagnostic {
     pub fn with_related(mut self, span: Span, label: impl Into<String>) -> Self {
         self.related.push((span, label.into()));
         self
+    }
+
+    /// The same with a line of another file.
+    #[must_use]
+    pub fn with_elsewhere(self, elsewhere: LineElsewhere) -> Self {
+        Self { elsewhere: Some(elsewhere), ..self }
     }
 
     /// Whether the scene cannot be used.
