@@ -114,6 +114,12 @@ pub(crate) struct RenderArguments {
     ///
     /// The table goes to standard error. JSON goes to standard output, unless the picture does.
     /// Counting takes some time; the picture stays the same.
+    ///
+    /// The JSON is one object of `version` 1: scene, width, height, view, scale (low and high, of
+    /// depths and heatmaps), partial, threads, structure (name, build, build_seconds, objects and
+    /// meshes with bytes, nodes, leaves, depth and leaf_sizes, triangles, triangle_bytes,
+    /// bytes_per_triangle), render_seconds, rays, rays_per_second and classes (class, rays, hits,
+    /// boxes, primitives, boxes_per_ray, primitives_per_ray). Means of nothing are null.
     #[arg(long, value_enum, value_name = "FORM", num_args = 0..=1, require_equals = true,
         default_missing_value = "table", help_heading = "Output")]
     pub(crate) stats: Option<StatsForm>,

@@ -1,6 +1,7 @@
 //! What was rendered → the picture that is written: numbers become colours where the format holds
 //! bytes, and stay numbers where it holds floats.
 
+use super::units;
 use crate::image_io::{Format, Picture};
 use crate::math::Color;
 use crate::render::{Scale, Sight, View, heat_picture};
@@ -23,11 +24,18 @@ pub(crate) fn picture(sight: Sight, format: Format) -> (Picture, Option<Scale>) 
 /// What the colours of a scale mean.
 pub(crate) fn legend(view: View, scale: Scale) -> String {
     let Scale { low, high } = scale;
-    let (unit, grey) = match view {
-        View::Depth => ("of the scene's units away", "; grey is where nothing is seen"),
-        _ => ("tests of boxes and primitives a pixel", ""),
-    };
-    format!("{}: black is {low}, pale yellow {high} {unit}{grey}", view.name())
+    match view {
+        View::Depth => format!(
+            "depth: black is {} and pale yellow {} of the scene's units away; \
+             grey is where nothing is seen",
+            units::figures(low),
+            units::figures(high),
+        ),
+        _ => format!(
+            "{}: black is {low} and pale yellow {high} tests of boxes and primitives a pixel",
+            view.name(),
+        ),
+    }
 }
 
 #[cfg(test)]
@@ -51,7 +59,7 @@ mod tests {
         let (picture, scale) = picture(depths(), Format::Png);
         assert_eq!(picture.pixels[1], Color::splat(0.5));
         let legend = legend(View::Depth, scale.unwrap());
-        assert!(legend.starts_with("depth: black is 3.5, pale yellow 3.5 "), "{legend}");
+        assert!(legend.starts_with("depth: black is 3.500 and pale yellow 3.500 "), "{legend}");
     }
 
     #[test]

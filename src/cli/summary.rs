@@ -101,7 +101,7 @@ fn level(name: &str, shape: &StructureShape) -> [String; 6] {
 fn leaf_sizes(shape: &StructureShape) -> String {
     let sizes = || shape.leaf_sizes.iter().enumerate().filter(|(_, leaves)| **leaves > 0);
     let primitives: u64 = sizes().map(|(size, leaves)| size as u64 * leaves).sum();
-    let (Some((least, _)), Some((most, _))) = (sizes().next(), sizes().last()) else {
+    let (Some((least, _)), Some((most, _))) = (sizes().next(), sizes().next_back()) else {
         return "–".to_owned();
     };
     if least == most {

@@ -74,7 +74,7 @@ fn group<'a>(diagnostic: &Diagnostic, source: &str, file_name: &str) -> Group<'a
     let group = level
         .primary_title(printable(&diagnostic.message))
         .elements(snippets)
-        .elements(diagnostic.elsewhere.as_ref().map(snippet_elsewhere));
+        .elements(diagnostic.elsewhere.as_deref().map(snippet_elsewhere));
     match &diagnostic.help {
         Some(help) => group.element(Level::HELP.message(printable(help))),
         None => group,
