@@ -199,7 +199,7 @@ fn present(node: &CwBvhNode) -> u8 {
     // The top bit of each byte that has any bit set: 0x7F is added without a carry out.
     const LOW: u64 = 0x7F7F_7F7F_7F7F_7F7F;
     let meta = u64::from_le_bytes(node.child_meta);
-    let tops = ((meta & LOW) + LOW | meta) & !LOW;
+    let tops = (((meta & LOW) + LOW) | meta) & !LOW;
     // Gathers the eight top bits into the highest byte.
     ((tops >> 7).wrapping_mul(0x0102_0408_1020_4080) >> 56) as u8
 }

@@ -117,10 +117,10 @@ impl<A: Accel> Primitives for ObjectList<A> {
         counters: &mut C,
     ) {
         for object in &self.objects[slots.start as usize..slots.end as usize] {
-            if let Some(hit) = object.closest(ray, box_ray, best.t, counters) {
-                if hit.precedes(best) {
-                    *best = hit;
-                }
+            if let Some(hit) = object.closest(ray, box_ray, best.t, counters)
+                && hit.precedes(best)
+            {
+                *best = hit;
             }
         }
     }
