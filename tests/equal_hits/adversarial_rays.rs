@@ -47,7 +47,7 @@ impl Aim {
             5 => self.with_component(target, k, 0.0),
             6 => self.in_plane(corners, inside),
             7 => Ray::new(inside, self.unit()), // from the surface
-            8 => self.from_afar(target),
+            8 => self.ray_from_afar(target),
             9 => self.axis_parallel(target, k, 1000.0),
             10 => self.of_odd_length(origin, inside),
             _ => {
@@ -114,7 +114,7 @@ impl Aim {
         Ray::new(inside - self.extent * self.random.next_f32() * dir, dir)
     }
 
-    fn from_afar(&mut self, target: Vec3) -> Ray {
+    fn ray_from_afar(&mut self, target: Vec3) -> Ray {
         let origin = self.center + 1000.0 * self.extent * self.unit();
         Ray::new(origin, target - origin)
     }

@@ -4,6 +4,8 @@
 //! same `(t, object, primitive, u, v)` and the same occlusion for rays of all kinds, on meshes of
 //! all kinds, at scales from 10⁻⁶ to 10⁶. More than a million rays are compared.
 
+#![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
+
 mod adversarial_rays;
 mod nasty_meshes;
 mod scenes;
