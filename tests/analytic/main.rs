@@ -15,3 +15,4 @@ mod scales;
 mod shadow_edge;
 mod silhouette;
 mod slab;
+mod watertight;

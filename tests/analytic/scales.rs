@@ -83,6 +83,9 @@ const CONVEX: [&str; 7] = [
     "triangle -9 -9 -1  9 -9 -1  9 9 -1\ntriangle -9 -9 -1  9 9 -1  -9 9 -1",
 ];
 
+/// These have no edges that a picture's rays would pass between: see `watertight.rs`.
+const WITHOUT_CRACKS: usize = 5;
+
 /// Things with an inside.
 const CLOSED: [&str; 6] = [
     "ball 2 0 0 0",
@@ -146,7 +149,7 @@ fn what_the_light_sees_is_lit() {
     let mut all = Vec::new();
     for place in places() {
         let view = place.view(eye, -eye);
-        for objects in &CONVEX[..6] {
+        for objects in &CONVEX[..WITHOUT_CRACKS] {
             let text = format!("{floor}\n{objects}");
             let scene = scene(&place.text(&view, eye, &text));
             let colors = picture_of(&scene, srt::render::View::Color);
