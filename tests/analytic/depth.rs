@@ -91,6 +91,6 @@ fn of_a_cylinder() {
             return Some(f64::NAN);
         }
         // NaN, close to the silhouette, stays NaN.
-        (!(z > 1.0 || z < -0.5)).then_some(side)
+        if z > 1.0 || z < -0.5 { None } else { Some(side) }
     });
 }
