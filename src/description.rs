@@ -43,21 +43,35 @@ pub struct Camera {
     pub distance: f64,
     /// Full vertical field of view in degrees; between 0 and 180, both excluded.
     pub fovy_degrees: f64,
-    /// Width of the picture in pixels; at least 1.
+    /// Width of the picture in pixels; from 1 to [`Camera::MAX_SIDE`].
     pub width: u32,
-    /// Height of the picture in pixels; at least 1.
+    /// Height of the picture in pixels; from 1 to [`Camera::MAX_SIDE`].
     pub height: u32,
+}
+
+impl Camera {
+    /// The most pixels along one side of a picture: what a TGA file can state.
+    pub const MAX_SIDE: u32 = 65_535;
 }
 
 /// The rendering options of a scene file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// How many bounces (mirror or refraction) a view ray may take.
+    /// How many bounces (mirror or refraction) a view ray may take; at most
+    /// [`Options::MAX_RECURSION`].
     pub max_recursion: u32,
-    /// 0: one ray through the pixel's centre; n > 0: n × n jittered samples a pixel.
+    /// 0: one ray through the pixel's centre; n > 0: n × n jittered samples a pixel; at most
+    /// [`Options::MAX_AA`].
     pub aa: u32,
     /// What a ray that hits nothing sees.
     pub background: Color,
+}
+
+impl Options {
+    /// The most bounces that a view ray may take.
+    pub const MAX_RECURSION: u32 = 1_000;
+    /// The most samples along one side of a pixel.
+    pub const MAX_AA: u32 = 256;
 }
 
 /// How a surface answers light.

@@ -4,41 +4,60 @@
 //! Volume Hierarchy Construction*, 2018), improved by reinsertion (Meister, Bittner: *Parallel
 //! Reinsertion for Bounding Volume Hierarchy Optimization*, 2018), and its leaves are collapsed by
 //! the surface area heuristic: all by obvhs. obvhs's own traversal prunes with `<` and knows no
-//! padding, so it cannot keep the contract of [`Accel`]; the walk below does.
+//! padding, so it cannot keep the contract of [`Accel`]. The walk below does; for it, the boxes of
+//! both children are laid side by side in their parent, a cache line for each pair.
 
 use std::ops::{ControlFlow, Range};
 
+use glam::{Vec4, Vec4Swizzles};
 use obvhs::bvh2::builder::build_bvh2;
-use obvhs::bvh2::node::Bvh2Node;
+use obvhs::bvh2::{Bvh2, node::Bvh2Node};
 use smallvec::SmallVec;
 
 use crate::counters::Counters;
-use crate::math::{Aabb, BoxRay, NONE, Ray};
+use crate::math::{BoxRay, NONE, Ray};
 
 use super::{Accel, Bounded, BuildConfig, Built, StructureShape, obvhs_boxes};
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
-const USUAL_DEPTH: usize = 64;
+const USUAL_DEPTH: usize = 32;
 
 /// A binary tree of boxes.
 #[derive(Clone, Debug)]
 pub struct Bvh {
-    nodes: Vec<Bvh2Node>,
+    nodes: Vec<Node>,
+    /// The whole tree; `None` if there are no primitives.
+    root: Option<Child>,
+}
+
+/// The children of a node and their boxes.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+struct Node {
+    /// For each axis: the low planes of the left and right box, then their high planes.
+    planes: [Vec4; 3],
+    children: [Child; 2],
+}
+
+/// A leaf or a node.
+#[derive(Clone, Copy, Debug, Default)]
+struct Child {
+    /// First slot of a leaf, or index of a node.
+    first: u32,
+    /// Slots of a leaf; 0 for a node.
+    count: u32,
 }
 
 impl Accel for Bvh {
     fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self> {
         if primitives.count() == 0 {
-            return Built { accel: Self { nodes: Vec::new() }, order: Some(Vec::new()) };
+            return Built { accel: Self { nodes: Vec::new(), root: None }, order: None };
         }
         let mut parameters = config.quality.parameters();
         parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(config.max_leaf);
         let boxes = obvhs_boxes(primitives);
         let tree = build_bvh2(&boxes, parameters, &mut std::time::Duration::default());
-        let mut nodes = tree.nodes;
-        let order = align_leaves(&mut nodes, &tree.primitive_indices, primitives.lanes());
-        nodes.shrink_to_fit();
-        Built { accel: Self { nodes }, order: Some(order) }
+        lay_out(&tree, primitives.lanes())
     }
 
     #[inline]
@@ -49,54 +68,40 @@ impl Accel for Bvh {
         counters: &mut C,
         mut leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
     ) {
-        let Some(root) = self.nodes.first() else { return };
+        // The root's own box is not tested: its children's are, for the same price.
+        let Some(mut at) = self.root else { return };
+        let pair_ray = PairRay::new(box_ray);
+        let t_min = Vec4::splat(ray.t_min);
         let mut end = ray.t_max;
-        let enter = |node: &Bvh2Node, end: f32| {
-            let (near, far) = box_ray.interval(&node_box(node));
-            let near = near.max(ray.t_min);
-            (near <= far.min(end)).then_some(near)
-        };
-        counters.boxes(1);
-        if enter(root, end).is_none() {
-            return;
-        }
-        let mut stack = SmallVec::<[(u32, f32); USUAL_DEPTH]>::new();
-        let mut node = root;
+        let mut stack = SmallVec::<[(Child, f32); USUAL_DEPTH]>::new();
         loop {
-            if node.is_leaf() {
-                let slots = node.first_index..node.first_index + node.prim_count;
-                match leaf(slots, counters) {
-                    ControlFlow::Continue(t) => end = t,
-                    ControlFlow::Break(()) => return,
+            if at.count == 0 {
+                counters.boxes(2);
+                let node = &self.nodes[at.first as usize];
+                let (near, far) = pair_ray.intervals(node);
+                let near = near.max(t_min);
+                let entered = near.cmple(far.min(Vec4::splat(end))).bitmask() & 0b11;
+                if entered == 0b11 {
+                    // The nearer child first, the other kept with where it begins.
+                    let other = usize::from(near[0] <= near[1]);
+                    stack.push((node.children[other], near[other]));
+                    at = node.children[1 - other];
+                    continue;
+                }
+                if entered != 0 {
+                    at = node.children[entered as usize >> 1];
+                    continue;
                 }
             } else {
-                let first = node.first_index;
-                let [left, right] = [first, first + 1].map(|i| enter(self.node(i), end));
-                counters.boxes(2);
-                match (left, right) {
-                    (Some(l), Some(r)) => {
-                        // The nearer child first, the other kept with where it begins.
-                        let left_is_near = l <= r;
-                        let (near, far) = if left_is_near { (0, 1) } else { (1, 0) };
-                        stack.push((first + far, if left_is_near { r } else { l }));
-                        node = self.node(first + near);
-                        continue;
-                    }
-                    (Some(_), None) => {
-                        node = self.node(first);
-                        continue;
-                    }
-                    (None, Some(_)) => {
-                        node = self.node(first + 1);
-                        continue;
-                    }
-                    (None, None) => {}
+                match leaf(at.first..at.first + at.count, counters) {
+                    ControlFlow::Continue(t) => end = t,
+                    ControlFlow::Break(()) => return,
                 }
             }
             loop {
                 let Some((next, near)) = stack.pop() else { return };
                 if near <= end {
-                    node = self.node(next);
+                    at = next;
                     break;
                 }
             }
@@ -105,50 +110,86 @@ impl Accel for Bvh {
 
     fn shape(&self) -> StructureShape {
         let mut shape = StructureShape::default();
-        let mut open = if self.nodes.is_empty() { vec![] } else { vec![(0, 0)] };
-        while let Some((index, depth)) = open.pop() {
-            let node = self.node(index);
-            if node.is_leaf() {
-                shape.add_leaf(node.prim_count, depth);
+        let mut open: Vec<_> = self.root.iter().map(|&root| (root, 0)).collect();
+        while let Some((child, depth)) = open.pop() {
+            if child.count > 0 {
+                shape.add_leaf(child.count, depth);
             } else {
                 shape.nodes += 1;
-                open.extend([(node.first_index, depth + 1), (node.first_index + 1, depth + 1)]);
+                let children = self.nodes[child.first as usize].children;
+                open.extend(children.map(|child| (child, depth + 1)));
             }
         }
-        shape.bytes = (size_of::<Self>() + self.nodes.capacity() * size_of::<Bvh2Node>()) as u64;
+        shape.bytes = (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()) as u64;
         shape
     }
 }
 
-impl Bvh {
-    #[inline]
-    fn node(&self, index: u32) -> &Bvh2Node {
-        &self.nodes[index as usize]
-    }
+/// A ray as a pair of boxes sees it: each axis' origins and inverse direction in all lanes.
+struct PairRay {
+    origins: [Vec4; 3],
+    inv_dir: [Vec4; 3],
 }
 
-#[inline]
-fn node_box(node: &Bvh2Node) -> Aabb {
-    let aabb = node.aabb();
-    Aabb { min: aabb.min, max: aabb.max }
-}
-
-/// Moves every leaf's range to a multiple of `lanes`; returns slot → primitive index, with
-/// [`NONE`] between leaves.
-fn align_leaves(nodes: &mut [Bvh2Node], indices: &[u32], lanes: u32) -> Vec<u32> {
-    let mut order = Vec::with_capacity(indices.len());
-    // From the root, so that leaves lie in the order in which a walk meets them.
-    let mut open = vec![0];
-    while let Some(index) = open.pop() {
-        let node = &mut nodes[index as usize];
-        let first = node.first_index;
-        if node.is_leaf() {
-            order.resize(order.len().next_multiple_of(lanes as usize), NONE);
-            node.first_index = order.len() as u32;
-            order.extend_from_slice(&indices[first as usize..(first + node.prim_count) as usize]);
-        } else {
-            open.extend([first + 1, first]);
+impl PairRay {
+    #[inline(always)]
+    fn new(box_ray: &BoxRay) -> Self {
+        let (plus, minus) = (box_ray.origin_plus, box_ray.origin_minus);
+        Self {
+            origins: std::array::from_fn(|axis| {
+                Vec4::new(plus[axis], plus[axis], minus[axis], minus[axis])
+            }),
+            inv_dir: std::array::from_fn(|axis| Vec4::splat(box_ray.inv_dir[axis])),
         }
     }
-    order
+
+    /// [`BoxRay::interval`] of the left box in lane 0 and of the right box in lane 1.
+    #[inline(always)]
+    fn intervals(&self, node: &Node) -> (Vec4, Vec4) {
+        let [x, y, z]: [(Vec4, Vec4); 3] = std::array::from_fn(|axis| {
+            let t = (node.planes[axis] - self.origins[axis]) * self.inv_dir[axis];
+            let swapped = t.zwxy();
+            (t.min(swapped), t.max(swapped))
+        });
+        (x.0.max(y.0).max(z.0), x.1.min(y.1).min(z.1))
+    }
+}
+
+/// Pairs the boxes of siblings, in the order in which a walk meets them, and moves every leaf's
+/// range to a multiple of `lanes`.
+fn lay_out(tree: &Bvh2, lanes: u32) -> Built<Bvh> {
+    let mut nodes = Vec::with_capacity(tree.nodes.len() / 2);
+    let mut order = Vec::with_capacity(tree.primitive_indices.len());
+    let mut root = Child::default();
+    // What is still to be placed, and which child of which node it is; `None` for the root.
+    let mut open: Vec<(&Bvh2Node, Option<(usize, usize)>)> = vec![(&tree.nodes[0], None)];
+    while let Some((from, parent)) = open.pop() {
+        let child = if from.is_leaf() {
+            order.resize(order.len().next_multiple_of(lanes as usize), NONE);
+            let child = Child { first: order.len() as u32, count: from.prim_count };
+            let range = from.first_index as usize..(from.first_index + from.prim_count) as usize;
+            order.extend_from_slice(&tree.primitive_indices[range]);
+            child
+        } else {
+            let index = nodes.len();
+            let left = &tree.nodes[from.first_index as usize];
+            let right = &tree.nodes[from.first_index as usize + 1];
+            nodes.push(Node { planes: planes_of(left, right), children: [Child::default(); 2] });
+            open.extend([(right, Some((index, 1))), (left, Some((index, 0)))]);
+            Child { first: index as u32, count: 0 }
+        };
+        match parent {
+            Some((node, side)) => nodes[node].children[side] = child,
+            None => root = child,
+        }
+    }
+    nodes.shrink_to_fit();
+    Built { accel: Bvh { nodes, root: Some(root) }, order: Some(order) }
+}
+
+fn planes_of(left: &Bvh2Node, right: &Bvh2Node) -> [Vec4; 3] {
+    let (left, right) = (left.aabb(), right.aabb());
+    std::array::from_fn(|axis| {
+        Vec4::new(left.min[axis], right.min[axis], left.max[axis], right.max[axis])
+    })
 }

@@ -3,12 +3,12 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 
 use super::exit::EXIT_CODES;
-use super::pending::Kind;
 use super::render_args::RenderArguments;
+use crate::assets::generate::{Kind, MAX_TRIANGLES};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -107,12 +107,12 @@ pub(crate) struct DiffArguments {
 )]
 pub(crate) struct MeshArguments {
     /// The form
-    #[arg(value_name = "KIND", value_parser = kinds())]
+    #[arg(value_name = "KIND", value_parser = described(&Kind::ALL, Kind::name, Kind::description))]
     pub(crate) kind: Kind,
 
     /// How many triangles
     #[arg(long, short = 'n', value_name = "N", allow_negative_numbers = true,
-        value_parser = value_parser!(u32).range(1..=100_000_000))]
+        value_parser = value_parser!(u32).range(1..=i64::from(MAX_TRIANGLES)))]
     pub(crate) triangles: u32,
 
     /// Where the random numbers start
@@ -144,16 +144,30 @@ pub(crate) struct ManArguments {
     pub(crate) folder: Option<PathBuf>,
 }
 
-fn kinds() -> impl TypedValueParser<Value = Kind> {
-    named(&Kind::ALL, Kind::name)
-}
-
 /// Takes the name of one of a set of things.
 pub(super) fn named<T: Copy + Send + Sync + 'static>(
     all: &'static [T],
     name: fn(T) -> &'static str,
 ) -> impl TypedValueParser<Value = T> {
-    PossibleValuesParser::new(all.iter().map(|&thing| name(thing))).try_map(move |typed| {
+    one_of(all, name, move |thing| PossibleValue::new(name(thing)))
+}
+
+/// Takes the name of one of a set of things; the help says what each is.
+pub(super) fn described<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    name: fn(T) -> &'static str,
+    summary: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    one_of(all, name, move |thing| PossibleValue::new(name(thing)).help(summary(thing)))
+}
+
+fn one_of<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    name: fn(T) -> &'static str,
+    value: impl Fn(T) -> PossibleValue,
+) -> impl TypedValueParser<Value = T> {
+    let values: Vec<PossibleValue> = all.iter().map(|&thing| value(thing)).collect();
+    PossibleValuesParser::new(values).try_map(move |typed| {
         let found = all.iter().copied().find(|&thing| name(thing) == typed);
         found.ok_or_else(|| format!("there is no `{typed}`"))
     })

@@ -1,12 +1,14 @@
-//! `srt check`: validates scenes without rendering. What is valid is the parser's to say.
+//! `srt check`: validates scenes without rendering, and tells what is in them. What is valid is for
+//! the other layers to say: whatever they refuse to render is invalid here.
 
 use std::path::Path;
 
 use super::args::CheckArguments;
 use super::exit::{Exit, Outcome};
-use super::pending::NotYet;
-use super::source;
-use super::terminal::tell_error;
+use super::inventory;
+use super::load::{LoadError, Loaded, load};
+use super::output::print;
+use super::terminal::{tell, tell_error};
 
 /// Checks every scene, also after one that is not valid; the worst decides how the command ends.
 pub(super) fn run(arguments: &CheckArguments) -> Outcome {
@@ -20,10 +22,27 @@ pub(super) fn run(arguments: &CheckArguments) -> Outcome {
     Ok(worst)
 }
 
-fn check(path: &Path, _lenient: bool) -> Outcome {
-    match source::read(path) {
-        Ok(_) => tell_error(format_args!("`{}` cannot be checked: {NotYet}", path.display())),
-        Err(error) => tell_error(error),
+fn check(path: &Path, lenient: bool) -> Outcome {
+    let error = match load(path, lenient) {
+        Ok(loaded) => return show(path, &loaded),
+        Err(error) => error,
+    };
+    let exit = match &error {
+        LoadError::Invalid { text, .. } => {
+            tell(format_args!("{text}\n"));
+            Exit::Negative
+        }
+        LoadError::Source(_) => Exit::Trouble,
+    };
+    tell_error(error);
+    Ok(exit)
+}
+
+fn show(path: &Path, loaded: &Loaded) -> Outcome {
+    if !loaded.warnings.is_empty() {
+        tell(&loaded.warnings);
     }
-    Ok(Exit::Trouble)
+    let text = inventory::describe(&loaded.description, &loaded.scene);
+    print(&format!("{}: valid\n{text}", path.display()))?;
+    Ok(Exit::Fine)
 }

@@ -7,23 +7,30 @@ use std::path::Path;
 use super::args::DiffArguments;
 use super::exit::{Exit, Failure, Outcome};
 use super::output::{Output, prepare_picture, print};
-use super::pending::{Difference, Format, compare, decode, difference_picture, encode};
-use crate::image_io::Picture;
+use super::terminal::tell;
+use crate::image_io::{Difference, Format, Picture, compare, decode, difference_picture, encode};
 
 /// Compares two pictures: [`Exit::Fine`] if they are equal, [`Exit::Negative`] if not.
 pub(super) fn run(arguments: &DiffArguments) -> Outcome {
     // The place of the result is checked before the work.
     let output = arguments.output.as_deref().map(|path| prepare_picture(path, None)).transpose()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
-    let difference = compare(&a, &b).map_err(Failure::new)?;
+    let compared = compare(&a, &b);
     if !arguments.quiet && !output.as_ref().is_some_and(|(output, _)| output.is_stdout()) {
-        print(&verdict(&difference, &a))?;
+        print(&match &compared {
+            Ok(difference) => verdict(difference, &a),
+            Err(sizes) => format!("different: {sizes}\n"),
+        })?;
     }
-    if difference.differing == 0 {
+    if compared.is_ok_and(|difference| difference.differing == 0) {
         return Ok(Exit::Fine);
     }
     if let Some((output, format)) = output {
-        write(&difference_picture(&a, &b), output, format)?;
+        match difference_picture(&a, &b) {
+            Ok(picture) => write(&picture, output, format)?,
+            // Pictures of different sizes are different: an answer, and no trouble.
+            Err(_) => tell("no difference picture was written: it takes pictures of one size"),
+        }
     }
     Ok(Exit::Negative)
 }
@@ -32,8 +39,7 @@ fn read(path: &Path) -> Result<Picture, Failure> {
     let trouble = |why: &dyn std::fmt::Display| {
         Failure::new(format_args!("cannot read `{}`: {why}", path.display()))
     };
-    let format = Format::from_path(path)
-        .ok_or_else(|| trouble(&"its extension is that of no picture format"))?;
+    let format = Format::from_path(path).map_err(|error| trouble(&error))?;
     let bytes = fs::read(path).map_err(|error| trouble(&error))?;
     decode(&bytes, format).map_err(|error| trouble(&error))
 }

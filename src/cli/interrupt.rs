@@ -1,4 +1,5 @@
-//! Ctrl-C: the first asks the work to stop, the second ends the process at once.
+//! Ctrl-C: ends the process at once and leaves no unfinished file; but where work is under way that
+//! can stop by itself, the first asks it to, and only the second ends the process.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -9,7 +10,14 @@ use super::output::abandon_and_exit;
 /// Tells whether the work shall stop.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Interrupt {
-    asked: Arc<AtomicBool>,
+    flags: Arc<Flags>,
+}
+
+/// They guard no other memory, so their order does not matter to anything else.
+#[derive(Debug, Default)]
+struct Flags {
+    asked: AtomicBool,
+    heeded: AtomicBool,
 }
 
 impl Interrupt {
@@ -27,13 +35,21 @@ impl Interrupt {
 
     /// Whether the work shall stop.
     pub(crate) fn is_asked(&self) -> bool {
-        // The flag guards no other memory.
-        self.asked.load(Ordering::Relaxed)
+        self.flags.asked.load(Ordering::Relaxed)
     }
 
-    /// Asks the work to stop; tells whether that had been asked before.
+    /// Runs work that looks at [`is_asked`](Self::is_asked) often, and stops by itself.
+    pub(crate) fn heeded_by<T>(&self, work: impl FnOnce() -> T) -> T {
+        self.flags.heeded.store(true, Ordering::Relaxed);
+        let result = work();
+        self.flags.heeded.store(false, Ordering::Relaxed);
+        result
+    }
+
+    /// Asks the work to stop; tells whether nothing will, or did not when it was asked before.
     fn ask(&self) -> bool {
-        self.asked.swap(true, Ordering::Relaxed)
+        let again = self.flags.asked.swap(true, Ordering::Relaxed);
+        again || !self.flags.heeded.load(Ordering::Relaxed)
     }
 }
 
@@ -44,9 +60,18 @@ mod tests {
     #[test]
     fn the_second_time_is_told_from_the_first() {
         let interrupt = Interrupt::default();
-        assert!(!interrupt.is_asked());
-        assert!(!interrupt.ask());
-        assert!(interrupt.is_asked());
-        assert!(interrupt.clone().ask());
+        interrupt.heeded_by(|| {
+            assert!(!interrupt.is_asked());
+            assert!(!interrupt.ask());
+            assert!(interrupt.is_asked());
+            assert!(interrupt.clone().ask());
+        });
+    }
+
+    #[test]
+    fn where_nothing_heeds_it_the_first_time_is_enough() {
+        let interrupt = Interrupt::default();
+        interrupt.heeded_by(|| {});
+        assert!(interrupt.ask());
     }
 }

@@ -5,20 +5,16 @@ use std::fmt::Write;
 use crate::assets::MeshData;
 use crate::description::{Camera, Light, SceneDescription, Shape};
 use crate::math::Aabb;
+use crate::scene::Scene;
 
-/// Describes a scene. `meshes` holds the data of each of its mesh references; `bounds` is the box
-/// around all objects in world space, empty if there are none.
-pub(crate) fn describe<'a>(
-    scene: &SceneDescription,
-    meshes: impl Fn(usize) -> &'a MeshData,
-    bounds: Aabb,
-) -> String {
+/// Describes a scene, given as written and as traced.
+pub(crate) fn describe(scene: &SceneDescription, traced: &Scene) -> String {
     let lines = [
         ("objects", objects(scene)),
-        ("triangles", triangles(scene, meshes)),
+        ("triangles", triangles(traced)),
         ("lights", lights(&scene.lights)),
         ("materials", scene.materials.len().to_string()),
-        ("bounds", corners(bounds)),
+        ("bounds", corners(traced.bounds())),
         ("camera", camera(&scene.camera)),
         ("picture", picture(scene)),
     ];
@@ -27,7 +23,20 @@ pub(crate) fn describe<'a>(
         // Writing to a string cannot fail.
         let _ = writeln!(text, "  {name:<11}{value}");
     }
+    for (reference, mesh) in scene.meshes.iter().zip(traced.meshes()) {
+        let _ = writeln!(text, "  {:<11}{}: {}", "mesh", reference.name, size(mesh));
+    }
     text
+}
+
+/// `12 triangles, 8 vertices`.
+fn size(mesh: &MeshData) -> String {
+    let (triangles, vertices) = (mesh.triangles.len(), mesh.positions.len());
+    let vertices = match vertices {
+        1 => "1 vertex".to_owned(),
+        n => format!("{n} vertices"),
+    };
+    format!("{}, {vertices}", counted(triangles, "triangle"))
 }
 
 fn objects(scene: &SceneDescription) -> String {
@@ -46,17 +55,12 @@ fn lights(lights: &[Light]) -> String {
 }
 
 /// Triangles as they are traced: those of a mesh count for each object that names it.
-fn triangles<'a>(scene: &SceneDescription, meshes: impl Fn(usize) -> &'a MeshData) -> String {
-    let of = |shape: &Shape| match shape {
-        Shape::Triangle { .. } => 1,
-        Shape::Mesh { mesh, .. } => meshes(*mesh).triangles.len(),
-        Shape::Ball { .. } | Shape::Cylinder => 0,
-    };
-    let traced: usize = scene.objects.iter().map(|object| of(&object.shape)).sum();
-    match scene.meshes.len() {
-        0 => traced.to_string(),
-        1 => format!("{traced}, with those of 1 mesh file"),
-        files => format!("{traced}, with those of {files} mesh files"),
+fn triangles(traced: &Scene) -> String {
+    let count = traced.triangle_count();
+    match traced.meshes().len() {
+        0 => count.to_string(),
+        1 => format!("{count}, with those of 1 mesh file"),
+        files => format!("{count}, with those of {files} mesh files"),
     }
 }
 
@@ -124,7 +128,9 @@ fn counted(n: usize, kind: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use glam::{DAffine3, DVec3, Vec3A};
+    use std::sync::Arc;
+
+    use glam::{DAffine3, DVec3, Vec3};
 
     use super::*;
     use crate::description::{Material, MeshReference, Normals, Object, Options};
@@ -155,24 +161,28 @@ mod tests {
     fn a_scene_in_words() {
         let mesh = || Shape::Mesh { mesh: 0, normals: Normals::Flat };
         let mut scene = scene(vec![Shape::Cylinder, mesh(), mesh()]);
+        scene.objects[0].transform = DAffine3::from_scale(DVec3::new(1.5, 2.0, 3e7));
         scene.meshes = vec![MeshReference { name: "a.obj".to_owned(), span: 0..0 }];
-        let data = MeshData { triangles: vec![[0, 1, 2]; 7], ..MeshData::default() };
-        let bounds = Aabb { min: Vec3A::splat(-1.5), max: Vec3A::new(2.0, 3e7, 0.125) };
+        let triangles = vec![[0, 1, 2]; 7];
+        let data = MeshData::with_averaged_normals(vec![Vec3::ZERO, Vec3::X, Vec3::Y], triangles);
+        let traced = Scene::new(&scene, vec![Arc::new(data)]).unwrap();
         let expected = "  \
   objects    3: 1 cylinder, 2 meshes
   triangles  14, with those of 1 mesh file
   lights     1: 1 point light
   materials  1
-  bounds     (-1.5, -1.5, -1.5) to (2, 3.00000e7, 0.125)
+  bounds     (-1.5, -2, 0) to (1.5, 2, 3.00000e7)
   camera     eye (0, -5.25, 0), direction (0, 1, 0), up (0, 0, 1), 40.5° high
   picture    16 × 12, 3 × 3 samples a pixel, at most 2 bounces
+  mesh       a.obj: 7 triangles, 3 vertices
 ";
-        assert_eq!(describe(&scene, |_| &data, bounds), expected);
+        assert_eq!(describe(&scene, &traced), expected);
     }
 
     #[test]
     fn an_empty_scene_in_words() {
-        let text = describe(&scene(Vec::new()), |_| unreachable!(), Aabb::EMPTY);
+        let scene = scene(Vec::new());
+        let text = describe(&scene, &Scene::new(&scene, Vec::new()).unwrap());
         assert!(text.contains("objects    none\n"), "{text}");
         assert!(text.contains("bounds     none\n"), "{text}");
     }

@@ -4,12 +4,17 @@
 use super::args::MeshArguments;
 use super::exit::{Exit, Outcome};
 use super::output::Output;
-use super::pending::write_mesh;
+use super::terminal::tell;
+use crate::assets::generate::generate;
 
 /// Generates and writes the mesh.
 pub(super) fn run(arguments: &MeshArguments) -> Outcome {
     let output = Output::prepare(&arguments.output)?;
-    output
-        .write(|mut to| write_mesh(arguments.kind, arguments.triangles, arguments.seed, &mut to))?;
+    let mesh = generate(arguments.kind, arguments.triangles, arguments.seed);
+    output.write(|mut to| mesh.to_obj(&mut to))?;
+    let made = mesh.triangles.len();
+    if made != arguments.triangles as usize {
+        tell(format_args!("the {} has {made} triangles", arguments.kind));
+    }
     Ok(Exit::Fine)
 }

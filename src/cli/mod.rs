@@ -10,27 +10,30 @@
 //! | `render.rs`, `check.rs`, `diff.rs`, `mesh.rs`, `completions.rs`, `man.rs` | the subcommands |
 //! | `output/` | where results go, whole or not at all |
 //! | `terminal.rs`, `interrupt.rs`, `progress.rs` | the terminal |
-//! | `source.rs`, `inventory.rs` | a scene's text; what is in it |
-//! | `report.rs`, `summary.rs`, `units.rs` | figures → text |
+//! | `load.rs`, `source.rs`, `diagnose.rs`, `inventory.rs` | a scene from its file; what is wrong with it; what is in it |
+//! | `sight.rs` | what was rendered → the picture that is written |
+//! | `report.rs`, `document.rs`, `summary.rs`, `units.rs` | figures → text |
 //! | `exit.rs` | how the command ends |
 
 mod args;
 mod check;
 mod completions;
+mod diagnose;
 mod diff;
+mod document;
 mod exit;
 mod interrupt;
-#[cfg_attr(not(test), expect(dead_code, reason = "told once scenes can be parsed"))]
 mod inventory;
+mod load;
 mod man;
 mod mesh;
 mod options;
 mod output;
-mod pending;
 mod progress;
 mod render;
 mod render_args;
 mod report;
+mod sight;
 mod source;
 mod summary;
 mod terminal;
@@ -42,7 +45,8 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use args::{Arguments, Command};
-use exit::Outcome;
+use exit::{Failure, Outcome};
+use interrupt::Interrupt;
 
 /// Runs the command with the arguments of this process.
 #[must_use]
@@ -52,8 +56,9 @@ pub fn run() -> ExitCode {
 
 /// Hands what was typed to the file of its subcommand.
 fn dispatch(arguments: Arguments) -> Outcome {
+    let interrupt = Interrupt::install().map_err(Failure::new)?;
     match arguments.command {
-        None => render::run(arguments.render),
+        None => render::run(arguments.render, &interrupt),
         Some(Command::Check(check)) => check::run(&check),
         Some(Command::Diff(diff)) => diff::run(&diff),
         Some(Command::Mesh(mesh)) => mesh::run(&mesh),

@@ -7,14 +7,15 @@ use std::thread::available_parallelism;
 
 use super::exit::Failure;
 use super::output::{Output, prepare_picture};
-use super::pending::{Format, STRUCTURES, Structure};
-use super::render_args::{RenderArguments, Sampling, StatsForm, View};
-use super::values::{Crop, Size};
+use super::render_args::{RenderArguments, StatsForm};
+use super::values::Size;
 use crate::accel::{BuildConfig, Quality};
+use crate::image_io::Format;
+use crate::render::{Crop, Sampling, Settings, View};
+use crate::scene::{Scene, Structure, structure_named};
 
 /// Everything a rendering is told, but for what the scene says.
 #[derive(Debug)]
-#[expect(dead_code, reason = "read once the renderer is part of the library")]
 pub(crate) struct RenderOptions {
     /// The scene's file.
     pub(crate) scene: PathBuf,
@@ -52,7 +53,6 @@ pub(crate) struct RenderOptions {
 
 /// Options that a scene has too.
 #[derive(Clone, Copy, Debug)]
-#[expect(dead_code, reason = "read once the renderer is part of the library")]
 pub(crate) struct Overrides {
     /// Instead of `nx` and `ny`.
     pub(crate) size: Option<Size>,
@@ -80,7 +80,7 @@ impl RenderOptions {
         let scene = typed.scene.ok_or_else(|| Failure::new("no scene was named"))?;
         let output = typed.output.ok_or_else(|| Failure::new("no output was named"))?;
         if let (Some(crop), Some(size)) = (typed.crop, typed.size) {
-            check_crop(crop, size)?;
+            check_crop(crop, size.width, size.height)?;
         }
         let (output, format) = prepare_picture(&output, typed.format)?;
         refuse_same_file(&scene, &output)?;
@@ -107,15 +107,50 @@ impl RenderOptions {
             format,
         })
     }
+
+    /// What the renderer is told: what was typed, and what the scene says where nothing was.
+    pub(crate) fn settings(&self, scene: &Scene) -> Result<Settings, Failure> {
+        let of_scene = Settings::of_scene(scene);
+        let size = self.overrides.size;
+        let settings = Settings {
+            width: size.map_or(of_scene.width, |size| size.width),
+            height: size.map_or(of_scene.height, |size| size.height),
+            crop: self.crop,
+            aa: self.overrides.aa.unwrap_or(of_scene.aa),
+            light_samples: self.light_samples,
+            sampling: self.sampling,
+            max_recursion: self.overrides.max_recursion.unwrap_or(of_scene.max_recursion),
+            seed: self.seed,
+            view: self.view,
+            count: self.stats.is_some(),
+        };
+        if let Some(crop) = settings.crop {
+            check_crop(crop, settings.width, settings.height)?;
+        }
+        check_samples(&settings)?;
+        Ok(settings)
+    }
 }
 
 /// A crop must lie within the picture; its size may be known only from the scene.
-pub(crate) fn check_crop(crop: Crop, size: Size) -> Result<(), Failure> {
-    if crop.is_within(size) {
+fn check_crop(crop: Crop, width: u32, height: u32) -> Result<(), Failure> {
+    if crop.is_within(width, height) {
         return Ok(());
     }
     Err(Failure::new(format_args!(
-        "the crop {crop} does not lie within the picture of {size} pixels"
+        "the crop {crop} does not lie within the picture of {width}x{height} pixels"
+    )))
+}
+
+/// The samples of a pixel and of a light are made together, so they are limited together.
+fn check_samples(settings: &Settings) -> Result<(), Failure> {
+    let (aa, light, most) = (settings.aa.max(1), settings.light_samples, Settings::MAX_LIGHT_SIDE);
+    if aa.saturating_mul(light) <= most {
+        return Ok(());
+    }
+    Err(Failure::new(format_args!(
+        "{aa} × {aa} samples a pixel with {light} × {light} of each light are too many: \
+         --aa times --light-samples may be {most} at most"
     )))
 }
 
@@ -133,8 +168,8 @@ fn refuse_same_file(scene: &Path, output: &Output) -> Result<(), Failure> {
 }
 
 fn structure(name: &str) -> Result<&'static Structure, Failure> {
-    let found = STRUCTURES.iter().find(|structure| structure.name == name);
-    found.ok_or_else(|| Failure::new(format_args!("there is no structure `{name}`")))
+    structure_named(name)
+        .ok_or_else(|| Failure::new(format_args!("there is no structure `{name}`")))
 }
 
 fn build_config(quality: Quality) -> BuildConfig {
@@ -173,6 +208,7 @@ mod tests {
         assert!(options.threads >= 1);
         assert_eq!(options.light_samples, 1);
         assert_eq!(options.view, View::Color);
+        assert_eq!(options.sampling, Sampling::default());
         assert_eq!(options.stats, None);
     }
 

@@ -10,6 +10,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use super::interrupt::Interrupt;
 use super::units;
+use crate::render::Observer;
 
 /// How often the bar is drawn anew, so that time passes on it even between tiles.
 const TICK: Duration = Duration::from_millis(200);
@@ -35,15 +36,15 @@ impl Progress {
         }
         Self { bar, rays, interrupt }
     }
+}
 
-    /// Notes a tile.
-    pub(crate) fn tile_done(&self, pixels: u64, rays: u64) {
+impl Observer for Progress {
+    fn tile_done(&self, pixels: u64, rays: u64) {
         self.rays.fetch_add(rays, Ordering::Relaxed);
         self.bar.inc(pixels);
     }
 
-    /// Whether the rendering shall stop.
-    pub(crate) fn cancelled(&self) -> bool {
+    fn cancelled(&self) -> bool {
         self.interrupt.is_asked()
     }
 }

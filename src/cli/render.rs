@@ -1,39 +1,95 @@
-//! The default command: a scene → a picture. The work is `render`'s; this file reads the scene,
-//! puts the options and the scene's own together, shows progress, and writes.
+//! The default command: a scene → a picture. The work is `render`'s; this file loads the scene,
+//! shows progress, writes, and tells what it took.
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::exit::{Exit, Failure, Outcome};
 use super::interrupt::Interrupt;
+use super::load::{LoadError, Loaded, load};
 use super::options::{RenderOptions, Stats};
 use super::output::{OutputError, print};
-use super::pending::{Traced, encode, trace};
+use super::progress::Progress;
 use super::render_args::RenderArguments;
 use super::report::Report;
-use super::terminal::tell;
-use super::{source, summary};
+use super::terminal::{tell, tell_error};
+use super::{sight, summary};
+use crate::image_io::encode;
+use crate::render::{Rendering, Settings, render};
+use crate::scene::{BuildReport, Scene};
 
 /// Renders; a rendering that Ctrl-C ended is written only if the options say so.
-pub(super) fn run(arguments: RenderArguments) -> Outcome {
+pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> Outcome {
     let options = RenderOptions::new(arguments)?;
-    let source = source::read(&options.scene).map_err(Failure::new)?;
-    // Until here Ctrl-C ends the process at once, and nothing is lost.
-    let interrupt = Interrupt::install().map_err(Failure::new)?;
-    let Traced { picture, report } = trace(&source, &options, &interrupt).map_err(Failure::new)?;
-    if report.partial && !options.keep_partial {
+    let pool = pool(options.threads)?;
+    let scene = match pool.install(|| load(&options.scene, options.lenient)) {
+        Ok(Loaded { scene, warnings, .. }) => {
+            if !options.quiet && !warnings.is_empty() {
+                tell(warnings);
+            }
+            scene
+        }
+        Err(error) => return Ok(refuse(&error)),
+    };
+    let settings = options.settings(&scene)?;
+    let (build, rendering) = pool.install(|| trace(&scene, &settings, &options, interrupt));
+    conclude(&settings, options, build, rendering)
+}
+
+fn pool(threads: usize) -> Result<ThreadPool, Failure> {
+    ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|error| Failure::new(format_args!("cannot start {threads} threads: {error}")))
+}
+
+/// Tells why there is no scene.
+fn refuse(error: &LoadError) -> Exit {
+    if let LoadError::Invalid { text, .. } = error {
+        tell(format_args!("{text}\n"));
+    }
+    tell_error(error);
+    Exit::Trouble
+}
+
+/// Builds and renders, on the threads of the current pool.
+fn trace(
+    scene: &Scene,
+    settings: &Settings,
+    options: &RenderOptions,
+    interrupt: &Interrupt,
+) -> (BuildReport, Rendering) {
+    let world = options.structure.build(scene, &options.build);
+    let region = settings.region();
+    let pixels = u64::from(region.width()) * u64::from(region.height());
+    let progress = Progress::start(pixels, options.quiet, interrupt.clone());
+    let rendering = interrupt.heeded_by(|| render(scene, &*world, settings, &progress));
+    (world.build_report(), rendering)
+}
+
+/// Writes the picture and tells what it took.
+fn conclude(
+    settings: &Settings,
+    options: RenderOptions,
+    build: BuildReport,
+    rendering: Rendering,
+) -> Outcome {
+    if !rendering.complete && !options.keep_partial {
         tell("interrupted; nothing was written (see --keep-partial)");
         return Ok(Exit::Interrupted);
     }
+    let mut report = Report::new(&options, settings, build, &rendering);
+    let (picture, scale) = sight::picture(rendering.sight, options.format);
+    report.scale = scale;
     let bytes = encode(&picture, options.format).map_err(Failure::new)?;
     options.output.write(|to| to.write_all(&bytes))?;
-    conclude(&report, options.stats, options.quiet)
-}
-
-/// Tells what it took.
-fn conclude(report: &Report, stats: Option<Stats>, quiet: bool) -> Outcome {
-    if let Some(stats) = stats {
-        print_stats(report, stats)?;
+    if let Some(stats) = options.stats {
+        print_stats(&report, stats)?;
     }
-    if !quiet {
-        tell(summary::line(report));
+    if !options.quiet {
+        if let Some(scale) = scale {
+            tell(sight::legend(settings.view, scale));
+        }
+        tell(summary::line(&report));
     }
     Ok(if report.partial { Exit::Interrupted } else { Exit::Fine })
 }

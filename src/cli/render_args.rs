@@ -3,13 +3,16 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueEnum, value_parser};
 
-use super::args::named;
-use super::pending::{Format, STRUCTURES};
-use super::values::{Crop, Size};
+use super::args::{described, named};
+use super::values::{self, Size};
 use crate::accel::Quality;
+use crate::description::Options;
+use crate::image_io::Format;
+use crate::render::{Crop, Sampling, Settings, View};
+use crate::scene::STRUCTURES;
 
 /// The default command: rendering.
 #[derive(Debug, Args)]
@@ -31,8 +34,8 @@ pub(crate) struct RenderArguments {
     pub(crate) accel: String,
 
     /// How long a build may take for a better tree
-    #[arg(long, value_name = "QUALITY", default_value = "medium", value_parser = qualities(),
-        help_heading = "Structure")]
+    #[arg(long, value_name = "QUALITY", default_value = Quality::default().name(),
+        value_parser = named(&Quality::ALL, Quality::name), help_heading = "Structure")]
     pub(crate) build: Quality,
 
     /// Threads that build and render [default: one a processor]
@@ -49,26 +52,30 @@ pub(crate) struct RenderArguments {
     /// x1 and y1 are the first column and row outside: 0,0,320,240 is the top left corner, 320
     /// pixels wide and 240 high. The picture holds these pixels alone, with the values that they
     /// have in the whole one.
-    #[arg(long, value_name = "x0,y0,x1,y1", help_heading = "Picture")]
+    #[arg(long, value_name = "x0,y0,x1,y1", value_parser = values::crop, help_heading = "Picture")]
     pub(crate) crop: Option<Crop>,
 
     /// N × N samples a pixel; 0 is one ray through its centre [default: as the scene says]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = value_parser!(u32).range(0..=1024), help_heading = "Picture")]
+        value_parser = value_parser!(u32).range(0..=i64::from(Options::MAX_AA)), help_heading = "Picture")]
     pub(crate) aa: Option<u32>,
 
     /// How the samples of lights are made
-    #[arg(long, value_enum, value_name = "WAY", default_value_t, help_heading = "Picture")]
+    #[arg(long, value_name = "WAY", default_value = Sampling::default().name(),
+        value_parser = described(&Sampling::ALL, Sampling::name, Sampling::summary),
+        help_heading = "Picture")]
     pub(crate) sampling: Sampling,
 
     /// N × N samples of each area light for each sample of a pixel
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 1,
-        value_parser = value_parser!(u32).range(1..=1024), help_heading = "Picture")]
+        value_parser = value_parser!(u32).range(1..=i64::from(Settings::MAX_LIGHT_SIDE)),
+        help_heading = "Picture")]
     pub(crate) light_samples: u32,
 
     /// How many mirror bounces and refractions a ray may take [default: as the scene says]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = value_parser!(u32).range(0..=1000), help_heading = "Picture")]
+        value_parser = value_parser!(u32).range(0..=i64::from(Options::MAX_RECURSION)),
+        help_heading = "Picture")]
     pub(crate) max_recursion: Option<u32>,
 
     /// Where the random numbers of the samples start
@@ -82,11 +89,17 @@ pub(crate) struct RenderArguments {
     pub(crate) seed: u64,
 
     /// What the pixels show
-    #[arg(long, value_enum, value_name = "WHAT", default_value_t, help_heading = "Picture")]
+    ///
+    /// Depths and heatmaps are coloured, with the scale on standard error; exr and hdr get the
+    /// numbers themselves.
+    #[arg(long, value_name = "WHAT", default_value = View::default().name(),
+        value_parser = described(&View::ALL, View::name, View::summary),
+        help_heading = "Picture")]
     pub(crate) view: View,
 
     /// The picture's format, whatever the extension
-    #[arg(long, value_name = "FORMAT", value_parser = formats(), help_heading = "Output")]
+    #[arg(long, value_name = "FORMAT", value_parser = named(&Format::ALL, Format::name),
+        help_heading = "Output")]
     pub(crate) format: Option<Format>,
 
     /// Take unknown commands of the scene as warnings
@@ -101,6 +114,12 @@ pub(crate) struct RenderArguments {
     ///
     /// The table goes to standard error. JSON goes to standard output, unless the picture does.
     /// Counting takes some time; the picture stays the same.
+    ///
+    /// The JSON is one object of `version` 1: scene, width, height, view, scale (low and high, of
+    /// depths and heatmaps), partial, threads, structure (name, build, build_seconds, objects and
+    /// meshes with bytes, nodes, leaves, depth and leaf_sizes, triangles, triangle_bytes,
+    /// bytes_per_triangle), render_seconds, rays, rays_per_second and classes (class, rays, hits,
+    /// boxes, primitives, boxes_per_ray, primitives_per_ray). Means of nothing are null.
     #[arg(long, value_enum, value_name = "FORM", num_args = 0..=1, require_equals = true,
         default_missing_value = "table", help_heading = "Output")]
     pub(crate) stats: Option<StatsForm>,
@@ -108,34 +127,6 @@ pub(crate) struct RenderArguments {
     /// Print errors, and what --stats asks for, but nothing else
     #[arg(long, short, help_heading = "Output")]
     pub(crate) quiet: bool,
-}
-
-/// How the samples of lights are made.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Sampling {
-    /// made once, then shuffled for each pixel and light
-    Shuffled,
-    /// made on the fly for each sample
-    #[default]
-    Independent,
-}
-
-/// What the pixels show.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum View {
-    /// the shaded scene
-    #[default]
-    Color,
-    /// the normal of the surface
-    Normal,
-    /// the distance from the eye
-    Depth,
-    /// which object was hit, a colour each
-    Object,
-    /// which primitive was hit, a colour each
-    Primitive,
-    /// how many boxes and primitives the rays tested
-    Heatmap,
 }
 
 /// The forms of `--stats`.
@@ -150,12 +141,4 @@ pub(crate) enum StatsForm {
 /// The names of the structures, with what they are.
 fn structure_names() -> PossibleValuesParser {
     STRUCTURES.iter().map(|s| PossibleValue::new(s.name).help(s.summary)).into()
-}
-
-fn qualities() -> impl TypedValueParser<Value = Quality> {
-    named(&Quality::ALL, Quality::name)
-}
-
-fn formats() -> impl TypedValueParser<Value = Format> {
-    named(&Format::ALL, Format::name)
 }

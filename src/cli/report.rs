@@ -1,11 +1,12 @@
-//! The figures of one rendering: plain data, filled by `render.rs`, shown by `summary.rs`.
+//! The figures of one rendering: plain data, shown by `summary.rs` and `document.rs`.
 
 use std::time::Duration;
 
-use serde::Serialize;
-
-use crate::accel::StructureShape;
+use super::options::RenderOptions;
+use crate::accel::Quality;
 use crate::counters::Counts;
+use crate::render::{self, RenderStats, Rendering, Scale, Settings, View};
+use crate::scene::BuildReport;
 
 /// What one rendering took.
 #[derive(Clone, Debug, Default)]
@@ -16,20 +17,22 @@ pub(crate) struct Report {
     pub(crate) width: u32,
     /// Height of the same.
     pub(crate) height: u32,
+    /// What the pixels show.
+    pub(crate) view: View,
+    /// The scale of its colours, where numbers became colours.
+    pub(crate) scale: Option<Scale>,
     /// The name of the structure.
-    pub(crate) structure: String,
+    pub(crate) structure: &'static str,
     /// The quality of its build.
-    pub(crate) build: String,
+    pub(crate) quality: Quality,
+    /// What building it took and gave.
+    pub(crate) build: BuildReport,
     /// Threads that built and rendered.
     pub(crate) threads: usize,
     /// Whether Ctrl-C ended it early.
     pub(crate) partial: bool,
-    /// How long the build took.
-    pub(crate) build_time: Duration,
     /// How long the rendering took, without reading, building and writing.
     pub(crate) render_time: Duration,
-    /// The structure's size and form.
-    pub(crate) shape: StructureShape,
     /// The classes of rays that occurred, in the order of a wave.
     pub(crate) rays: Vec<RayClass>,
 }
@@ -41,168 +44,118 @@ pub(crate) struct RayClass {
     pub(crate) name: &'static str,
     /// How many rays.
     pub(crate) rays: u64,
+    /// How many of them hit something.
+    pub(crate) hits: u64,
     /// What they tested, where that was counted.
     pub(crate) counts: Option<Counts>,
 }
 
 impl Report {
+    /// The figures of a rendering.
+    pub(crate) fn new(
+        options: &RenderOptions,
+        settings: &Settings,
+        build: BuildReport,
+        rendering: &Rendering,
+    ) -> Self {
+        let region = settings.region();
+        let counted = settings.count;
+        Self {
+            scene: options.scene.display().to_string(),
+            width: region.width(),
+            height: region.height(),
+            view: settings.view,
+            scale: None,
+            structure: options.structure.name,
+            quality: options.build.quality,
+            build,
+            threads: options.threads,
+            partial: !rendering.complete,
+            render_time: rendering.stats.time,
+            rays: classes(&rendering.stats, counted),
+        }
+    }
+
     /// The rays of all classes.
     pub(crate) fn total_rays(&self) -> u64 {
         self.rays.iter().map(|class| class.rays).sum()
     }
 
-    /// What `--stats=json` prints, with a line end.
-    pub(crate) fn to_json(&self) -> Result<String, serde_json::Error> {
-        serde_json::to_string_pretty(&Document::from(self)).map(|json| json + "\n")
+    /// The bytes of the indices on both levels.
+    pub(crate) fn index_bytes(&self) -> u64 {
+        self.build.objects.bytes + self.build.meshes.bytes
+    }
+
+    /// The bytes that a triangle of a mesh takes, with its part of the index over them.
+    pub(crate) fn bytes_per_triangle(&self) -> Option<f64> {
+        let BuildReport { meshes, triangles, triangle_bytes, .. } = &self.build;
+        (*triangles > 0).then(|| (meshes.bytes + triangle_bytes) as f64 / *triangles as f64)
     }
 }
 
-/// The version of [`Document`]: raised when a field changes its meaning or goes away.
-const VERSION: u32 = 1;
-
-/// A report as programs read it: times in seconds, memory in bytes.
-#[derive(Serialize)]
-struct Document<'a> {
-    version: u32,
-    scene: &'a str,
-    width: u32,
-    height: u32,
-    partial: bool,
-    structure: Structure<'a>,
-    threads: usize,
-    build_seconds: f64,
-    render_seconds: f64,
-    rays: u64,
-    rays_per_second: Option<f64>,
-    classes: Vec<Class>,
-}
-
-#[derive(Serialize)]
-struct Structure<'a> {
-    name: &'a str,
-    build: &'a str,
-    bytes: u64,
-    nodes: u64,
-    leaves: u64,
-    depth: u32,
-    /// Entry n: leaves with n primitives.
-    leaf_sizes: &'a [u64],
-}
-
-#[derive(Serialize)]
-struct Class {
-    class: &'static str,
-    rays: u64,
-    boxes: Option<u64>,
-    primitives: Option<u64>,
-    boxes_per_ray: Option<f64>,
-    primitives_per_ray: Option<f64>,
-}
-
-impl<'a> From<&'a Report> for Document<'a> {
-    fn from(report: &'a Report) -> Self {
-        let rays = report.total_rays();
-        let render_seconds = report.render_time.as_secs_f64();
-        Self {
-            version: VERSION,
-            scene: &report.scene,
-            width: report.width,
-            height: report.height,
-            partial: report.partial,
-            structure: Structure {
-                name: &report.structure,
-                build: &report.build,
-                bytes: report.shape.bytes,
-                nodes: report.shape.nodes,
-                leaves: report.shape.leaves,
-                depth: report.shape.depth,
-                leaf_sizes: &report.shape.leaf_sizes,
-            },
-            threads: report.threads,
-            build_seconds: report.build_time.as_secs_f64(),
-            render_seconds,
-            rays,
-            rays_per_second: quotient(rays as f64, render_seconds),
-            classes: report.rays.iter().map(Class::from).collect(),
-        }
-    }
-}
-
-impl From<&RayClass> for Class {
-    fn from(class: &RayClass) -> Self {
-        let boxes = class.counts.map(|counts| counts.boxes);
-        let primitives = class.counts.map(|counts| counts.primitives);
-        let per_ray = |n: Option<u64>| quotient(n? as f64, class.rays as f64);
-        Self {
-            class: class.name,
-            rays: class.rays,
-            boxes,
-            primitives,
-            boxes_per_ray: per_ray(boxes),
-            primitives_per_ray: per_ray(primitives),
-        }
-    }
-}
-
-/// JSON knows neither infinity nor NaN.
-fn quotient(a: f64, b: f64) -> Option<f64> {
-    (b != 0.0).then(|| a / b)
+/// The classes that occurred; view rays always, so that there is one.
+fn classes(stats: &RenderStats, counted: bool) -> Vec<RayClass> {
+    let class = |class: render::RayClass| {
+        let stats = stats.class(class);
+        let counts = counted.then_some(stats.tests);
+        RayClass { name: class.name(), rays: stats.rays, hits: stats.hits, counts }
+    };
+    let classes = render::RayClass::ALL.into_iter();
+    classes.map(class).filter(|class| class.rays > 0 || class.name == "view").collect()
 }
 
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::accel::StructureShape;
 
     /// Figures to show.
     pub(crate) fn example() -> Report {
         let class = |name, rays, boxes, primitives| RayClass {
             name,
             rays,
+            hits: rays / 2,
             counts: Some(Counts { boxes, primitives }),
         };
+        let mut leaf_sizes = vec![0, 69_990];
+        leaf_sizes.resize(5, 0);
+        leaf_sizes.push(10);
+        let meshes = StructureShape {
+            nodes: 139_999,
+            leaves: 70_000,
+            depth: 23,
+            leaf_sizes,
+            bytes: 4_480_000,
+        };
+        let objects =
+            StructureShape { nodes: 3, leaves: 2, depth: 1, leaf_sizes: vec![0, 2], bytes: 96 };
         Report {
             scene: "scenes/hall.sce".to_owned(),
             width: 800,
             height: 600,
-            structure: "bvh".to_owned(),
-            build: "medium".to_owned(),
+            structure: "bvh",
             threads: 2,
-            partial: false,
-            build_time: Duration::from_micros(45_600),
-            render_time: Duration::from_millis(1_250),
-            shape: StructureShape {
-                nodes: 139_999,
-                leaves: 70_000,
-                depth: 23,
-                leaf_sizes: vec![0, 70_000],
-                bytes: 4_718_592,
+            build: BuildReport {
+                time: Duration::from_micros(45_600),
+                objects,
+                meshes,
+                triangles: 70_000,
+                triangle_bytes: 3_360_000,
             },
+            render_time: Duration::from_millis(1_250),
             rays: vec![
                 class("view", 1_920_000, 44_928_000, 7_872_000),
                 class("shadow", 8_000_000, 96_000_000, 4_000_000),
             ],
+            ..Report::default()
         }
     }
 
     #[test]
-    fn json_has_totals_and_means() {
-        let json = example().to_json().unwrap();
-        let value: serde_json::Value = serde_json::from_str(&json).unwrap();
-        assert_eq!(value["version"], 1);
-        assert_eq!(value["rays"], 9_920_000);
-        assert_eq!(value["rays_per_second"], 7_936_000.0);
-        assert_eq!(value["structure"]["depth"], 23);
-        assert_eq!(value["classes"][0]["boxes_per_ray"], 23.4);
-        assert_eq!(value["classes"][1]["primitives"], 4_000_000);
-    }
-
-    #[test]
-    fn what_was_not_counted_is_null() {
-        let mut report = example();
-        report.render_time = Duration::ZERO;
-        report.rays = vec![RayClass { name: "view", rays: 0, counts: None }];
-        let value: serde_json::Value = serde_json::from_str(&report.to_json().unwrap()).unwrap();
-        assert!(value["rays_per_second"].is_null());
-        assert!(value["classes"][0]["boxes"].is_null());
+    fn memory_adds_up() {
+        let report = example();
+        assert_eq!(report.index_bytes(), 4_480_096);
+        assert_eq!(report.bytes_per_triangle(), Some(112.0));
+        assert_eq!(Report::default().bytes_per_triangle(), None);
     }
 }

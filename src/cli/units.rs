@@ -61,6 +61,16 @@ pub(crate) fn per_ray(total: u64, rays: u64) -> String {
     }
 }
 
+/// A number of any size with four figures: `3.756`, `1723`, `1.500e-5`.
+pub(crate) fn figures(value: f32) -> String {
+    match value.abs() {
+        v if v != 0.0 && !(1e-3..1e6).contains(&v) => format!("{value:.3e}"),
+        v if v < 10.0 => format!("{value:.3}"),
+        v if v < 1e3 => format!("{value:.1}"),
+        _ => format!("{value:.0}"),
+    }
+}
+
 /// Divides by `step` until three figures show less than a step.
 fn scaled(mut value: f64, step: f64, units: &[&str]) -> String {
     let mut unit = 0;
@@ -118,6 +128,16 @@ mod tests {
         assert_eq!(bytes(4_718_592), "4.50 MiB");
         assert_eq!(bytes(1_048_575), "1.00 MiB");
         assert_eq!(bytes(1_047_000), "1022 KiB");
+    }
+
+    #[test]
+    fn figures_of_any_size() {
+        assert_eq!(figures(0.0), "0.000");
+        assert_eq!(figures(3.756_4), "3.756");
+        assert_eq!(figures(172.39), "172.4");
+        assert_eq!(figures(1_723.9), "1724");
+        assert_eq!(figures(1.5e-5), "1.500e-5");
+        assert_eq!(figures(2.5e7), "2.500e7");
     }
 
     #[test]

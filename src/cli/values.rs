@@ -3,8 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// The most pixels along one side: what a TGA file can state.
-const MAX_SIDE: u32 = 65_535;
+use crate::description::Camera;
+use crate::render::Crop;
 
 /// A value that could not be read, and what would be right.
 #[derive(Debug, thiserror::Error, PartialEq, Eq)]
@@ -13,7 +13,7 @@ pub(crate) enum ValueError {
     #[error("expected WIDTHxHEIGHT in pixels, such as 800x600")]
     SizeForm,
     /// A side of no or of too many pixels.
-    #[error("width and height must lie between 1 and {MAX_SIDE}")]
+    #[error("width and height must lie between 1 and {}", Camera::MAX_SIDE)]
     SizeRange,
     /// Not four numbers with commas between them.
     #[error("expected four pixel coordinates x0,y0,x1,y1, such as 0,0,320,240")]
@@ -23,7 +23,7 @@ pub(crate) enum ValueError {
     CropEmpty,
 }
 
-/// Width and height of a picture in pixels, each from 1 to 65,535.
+/// Width and height of a picture in pixels, each from 1 to [`Camera::MAX_SIDE`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Size {
     /// Width in pixels.
@@ -41,7 +41,7 @@ impl FromStr for Size {
             width: number(width).ok_or(ValueError::SizeForm)?,
             height: number(height).ok_or(ValueError::SizeForm)?,
         };
-        let sides = 1..=MAX_SIDE;
+        let sides = 1..=Camera::MAX_SIDE;
         let fits = sides.contains(&size.width) && sides.contains(&size.height);
         if fits { Ok(size) } else { Err(ValueError::SizeRange) }
     }
@@ -53,42 +53,14 @@ impl fmt::Display for Size {
     }
 }
 
-/// A part of a picture: columns `x0..x1` and rows `y0..y1`, counted from the top left. Not empty.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Crop {
-    /// The first column.
-    pub(crate) x0: u32,
-    /// The first row, from the top.
-    pub(crate) y0: u32,
-    /// The column behind the last.
-    pub(crate) x1: u32,
-    /// The row below the last.
-    pub(crate) y1: u32,
-}
-
-impl Crop {
-    /// Whether the crop lies within a picture.
-    pub(crate) fn is_within(self, size: Size) -> bool {
-        self.x1 <= size.width && self.y1 <= size.height
-    }
-}
-
-impl FromStr for Crop {
-    type Err = ValueError;
-
-    fn from_str(text: &str) -> Result<Self, ValueError> {
-        let values: Option<Vec<u32>> = text.split(',').map(number).collect();
-        let Some(&[x0, y0, x1, y1]) = values.as_deref() else {
-            return Err(ValueError::CropForm);
-        };
-        if x0 < x1 && y0 < y1 { Ok(Self { x0, y0, x1, y1 }) } else { Err(ValueError::CropEmpty) }
-    }
-}
-
-impl fmt::Display for Crop {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{},{},{},{}", self.x0, self.y0, self.x1, self.y1)
-    }
+/// Reads a crop, `x0,y0,x1,y1`; there is at least one pixel in it.
+pub(super) fn crop(text: &str) -> Result<Crop, ValueError> {
+    let values: Option<Vec<u32>> = text.split(',').map(number).collect();
+    let Some(&[x0, y0, x1, y1]) = values.as_deref() else {
+        return Err(ValueError::CropForm);
+    };
+    let crop = Crop { x0, y0, x1, y1 };
+    if crop.is_empty() { Err(ValueError::CropEmpty) } else { Ok(crop) }
 }
 
 /// A number of digits alone (Rust's own parser would also take `+3`); too large ones saturate, so
@@ -119,22 +91,21 @@ mod tests {
 
     #[test]
     fn crops() {
-        let crop: Crop = "1,2,3,4".parse().unwrap();
-        assert_eq!(crop, Crop { x0: 1, y0: 2, x1: 3, y1: 4 });
-        assert_eq!("0, 0, 320, 240".parse::<Crop>().unwrap().to_string(), "0,0,320,240");
+        assert_eq!(crop("1,2,3,4"), Ok(Crop { x0: 1, y0: 2, x1: 3, y1: 4 }));
+        assert_eq!(crop("0, 0, 320, 240").unwrap().to_string(), "0,0,320,240");
         for bad in ["", "1,2,3", "1,2,3,4,5", "1,2,3,", "-1,0,3,4", "a,b,c,d"] {
-            assert_eq!(bad.parse::<Crop>(), Err(ValueError::CropForm), "{bad}");
+            assert_eq!(crop(bad), Err(ValueError::CropForm), "{bad}");
         }
         for bad in ["3,0,3,4", "4,0,3,4", "0,4,3,4"] {
-            assert_eq!(bad.parse::<Crop>(), Err(ValueError::CropEmpty), "{bad}");
+            assert_eq!(crop(bad), Err(ValueError::CropEmpty), "{bad}");
         }
     }
 
     #[test]
     fn a_crop_may_touch_the_far_edges() {
-        let size = Size { width: 3, height: 4 };
-        assert!("0,0,3,4".parse::<Crop>().unwrap().is_within(size));
-        assert!(!"0,0,4,4".parse::<Crop>().unwrap().is_within(size));
-        assert!(!"0,0,3,5".parse::<Crop>().unwrap().is_within(size));
+        let within = |text| crop(text).unwrap().is_within(3, 4);
+        assert!(within("0,0,3,4"));
+        assert!(!within("0,0,4,4"));
+        assert!(!within("0,0,3,5"));
     }
 }

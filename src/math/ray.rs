@@ -11,7 +11,7 @@ use glam::Vec3;
 pub struct Ray {
     /// Where the ray starts.
     pub origin: Vec3,
-    /// The smallest parameter at which a hit counts (inclusive).
+    /// The smallest parameter at which a hit counts (inclusive); not negative.
     pub t_min: f32,
     /// The direction, not normalised.
     pub dir: Vec3,

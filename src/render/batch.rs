@@ -92,10 +92,6 @@ impl Wave {
 /// colours. Without it, rays between glass surfaces double with every bounce.
 const LEAST_WEIGHT: f32 = 1.0 / 16_384.0;
 
-/// Rays that leave a surface count hits from here on; the surface itself they leave behind by
-/// where they start.
-const AFTER_START: f32 = f32::MIN_POSITIVE;
-
 impl Batch {
     /// Computes the colours of some samples, into `self.colors`.
     pub(super) fn run(&mut self, context: &Context<'_>) {
@@ -249,7 +245,7 @@ impl Shaded {
         if dir.dot(geometric) <= 0.0 {
             dir = mirror(self.dir, geometric);
         }
-        Ray { t_min: AFTER_START, ..Ray::new(self.origin, dir) }
+        Ray::new(self.origin, dir)
     }
 
     /// The ray through the surface along `dir`, or straight on where an interpolated normal would
@@ -257,6 +253,6 @@ impl Shaded {
     fn through(&self, dir: Vec3) -> Ray {
         let enters = dir.dot(self.surface.geometric_normal) < 0.0;
         let dir = if enters { dir } else { self.dir };
-        Ray { t_min: AFTER_START, ..Ray::new(self.surface.origin_behind(), dir) }
+        Ray::new(self.surface.origin_behind(), dir)
     }
 }

@@ -28,6 +28,7 @@ pub(super) struct LightSamples {
     seed: u64,
     view_side: usize,
     light_side: usize,
+    /// Each table block-wise apart: the m × m points of view sample 0, then of view sample 1, …
     tables: Vec<Vec<[f32; 2]>>,
 }
 
@@ -44,7 +45,8 @@ impl LightSamples {
             Sampling::Shuffled => (0..TABLES)
                 .map(|i| {
                     let mut random = Random::new(&[seed, TABLE_STREAM, i]);
-                    jittered(view_side * light_side, &mut random)
+                    let table = jittered(view_side * light_side, &mut random);
+                    dealt(&table, view_side, light_side)
                 })
                 .collect(),
             Sampling::Independent => Vec::new(),
@@ -77,36 +79,43 @@ impl LightSamples {
         (table, order)
     }
 
-    /// Writes the samples of one light for one path: `key` belongs to the path, `hint` is the
-    /// number of its view sample in the pixel.
-    pub(super) fn fill(
-        &self,
+    /// The samples of one light for one path: `key` belongs to the path, `hint` is the number of
+    /// its view sample in the pixel. `buffer` holds them if they are made on the fly.
+    pub(super) fn points<'a>(
+        &'a self,
         pixel: &PixelOrder,
         light: usize,
         hint: u32,
         key: u64,
-        points: &mut Vec<[f32; 2]>,
-    ) {
-        points.clear();
+        buffer: &'a mut Vec<[f32; 2]>,
+    ) -> &'a [[f32; 2]] {
         match self.sampling {
             Sampling::Shuffled => {
                 let (table, order) = &pixel.lights[light];
-                self.deal(&self.tables[*table], order[hint as usize] as usize, points);
+                let count = self.per_view_sample();
+                let first = order[hint as usize] as usize * count;
+                &self.tables[*table][first..first + count]
             }
             Sampling::Independent => {
-                let mut random = Random::new(&[key, light as u64]);
-                fill_jittered(self.light_side, &mut random, points);
+                buffer.clear();
+                fill_jittered(self.light_side, &mut Random::new(&[key, light as u64]), buffer);
+                buffer
             }
         }
     }
+}
 
-    /// One point of each block of n × n cells: the one at `place` in the block.
-    fn deal(&self, table: &[[f32; 2]], place: usize, points: &mut Vec<[f32; 2]>) {
-        let (n, m) = (self.view_side, self.light_side);
+/// A table of (n·m)² points in the order in which it is dealt out: of each block of n × n cells
+/// one point to each view sample.
+fn dealt(table: &[[f32; 2]], n: usize, m: usize) -> Vec<[f32; 2]> {
+    let mut points = Vec::with_capacity(table.len());
+    for place in 0..n * n {
         let (x, y) = (place % n, place / n);
-        let blocks = (0..m * m).map(|block| (block % m, block / m));
-        points.extend(blocks.map(|(i, j)| table[(j * n + y) * n * m + i * n + x]));
+        for (i, j) in (0..m * m).map(|block| (block % m, block / m)) {
+            points.push(table[(j * n + y) * n * m + i * n + x]);
+        }
     }
+    points
 }
 
 /// side × side points of the unit square, one at a random place in each cell, row by row.
@@ -135,9 +144,8 @@ mod tests {
         let order = samples.pixel(pixel, 1);
         (0..views)
             .map(|view| {
-                let mut points = Vec::new();
-                samples.fill(&order, 0, view, u64::from(view) + 100 * pixel, &mut points);
-                points
+                let key = u64::from(view) + 100 * pixel;
+                samples.points(&order, 0, view, key, &mut Vec::new()).to_vec()
             })
             .collect()
     }

@@ -1,5 +1,7 @@
 //! What a picture is to be: size, sampling, view.
 
+use std::fmt;
+
 use crate::scene::Scene;
 
 /// How area lights are sampled.
@@ -11,6 +13,29 @@ pub enum Sampling {
     Shuffled,
     /// Samples made on the fly, for each view sample on its own.
     Independent,
+}
+
+impl Sampling {
+    /// All ways.
+    pub const ALL: [Self; 2] = [Self::Shuffled, Self::Independent];
+
+    /// The name on the command line and in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Shuffled => "shuffled",
+            Self::Independent => "independent",
+        }
+    }
+
+    /// What it is, in a line.
+    #[must_use]
+    pub fn summary(self) -> &'static str {
+        match self {
+            Self::Shuffled => "made once, then shuffled for each pixel and light",
+            Self::Independent => "made on the fly for each sample of a pixel",
+        }
+    }
 }
 
 /// What a pixel shows.
@@ -31,7 +56,41 @@ pub enum View {
     Heatmap,
 }
 
+impl View {
+    /// All views.
+    pub const ALL: [Self; 6] =
+        [Self::Color, Self::Normal, Self::Depth, Self::Object, Self::Primitive, Self::Heatmap];
+
+    /// The name on the command line and in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Color => "color",
+            Self::Normal => "normal",
+            Self::Depth => "depth",
+            Self::Object => "object",
+            Self::Primitive => "primitive",
+            Self::Heatmap => "heatmap",
+        }
+    }
+
+    /// What it is, in a line.
+    #[must_use]
+    pub fn summary(self) -> &'static str {
+        match self {
+            Self::Color => "the shaded scene",
+            Self::Normal => "the normal of the surface",
+            Self::Depth => "the distance from the eye",
+            Self::Object => "which object was hit, a colour each",
+            Self::Primitive => "which primitive was hit, a colour each",
+            Self::Heatmap => "how many boxes and primitives the rays tested",
+        }
+    }
+}
+
 /// A part of the picture, in pixels from the top left; the right and bottom ends are excluded.
+///
+/// Shown as it is written on the command line: `x0,y0,x1,y1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Crop {
     /// First column.
@@ -55,6 +114,24 @@ impl Crop {
     #[must_use]
     pub fn height(&self) -> u32 {
         self.y1 - self.y0
+    }
+
+    /// Whether there is a pixel in it.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.x0 >= self.x1 || self.y0 >= self.y1
+    }
+
+    /// Whether it lies within a picture of this size.
+    #[must_use]
+    pub fn is_within(&self, width: u32, height: u32) -> bool {
+        self.x1 <= width && self.y1 <= height
+    }
+}
+
+impl fmt::Display for Crop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{},{},{},{}", self.x0, self.y0, self.x1, self.y1)
     }
 }
 
@@ -85,6 +162,10 @@ pub struct Settings {
 }
 
 impl Settings {
+    /// The most that `aa · light_samples` may be: the samples of a light for one pixel are made and
+    /// traced together, so their number must stay within memory.
+    pub const MAX_LIGHT_SIDE: u32 = 1_024;
+
     /// What the scene file asks for.
     #[must_use]
     pub fn of_scene(scene: &Scene) -> Self {

@@ -20,8 +20,8 @@ const LEAST_SHARE: f32 = 1.0 / 16_384.0;
 #[derive(Default)]
 pub(super) struct Shadows {
     rays: Vec<Ray>,
-    /// Which of the wave's surfaces each ray leaves.
-    owners: Vec<u32>,
+    /// Which of the wave's surfaces the rays leave, and how many rays each, in order.
+    owners: Vec<(u32, u32)>,
     blocked: Vec<bool>,
     /// The share of the light that arrives along each ray.
     shares: Vec<f32>,
@@ -67,55 +67,47 @@ impl Shadows {
     fn send(&mut self, context: &Context<'_>, light: usize, batch: &Batch, index: usize) {
         let shaded = &batch.shaded[index];
         let material = &context.scene.materials[shaded.surface.material];
+        let before = self.rays.len();
         match context.scene.lights[light] {
             Light::Point { position, .. } => {
-                self.send_to(index, shaded, material, position);
+                self.rays.extend(shadow_ray(shaded, material, position));
             }
             Light::Area { corner, side_u, side_v, .. } => {
-                let mut points = std::mem::take(&mut self.points);
                 let sample = shaded.path.sample as usize;
-                context.light_samples.fill(
+                let points = context.light_samples.points(
                     &batch.pixel_orders[batch.pixel_of_sample[sample] as usize],
                     light,
                     batch.samples[sample].number,
                     shaded.path.key,
-                    &mut points,
+                    &mut self.points,
                 );
-                for [u, v] in &points {
-                    self.send_to(index, shaded, material, corner + *u * side_u + *v * side_v);
-                }
-                self.points = points;
+                self.rays.reserve(points.len());
+                self.rays.extend(points.iter().filter_map(|&[u, v]| {
+                    shadow_ray(shaded, material, corner + u * side_u + v * side_v)
+                }));
             }
         }
-    }
-
-    /// Puts one ray into the buffer, unless the answer is known: an opaque surface is in its own
-    /// shadow on the side away from the light, and light that falls from behind the shading
-    /// normal on a surface without highlights adds nothing.
-    #[inline]
-    fn send_to(&mut self, index: usize, shaded: &Shaded, material: &Material, light: Vec3) {
-        let to_light = light - shaded.origin;
-        let surface = &shaded.surface;
-        let hidden = material.alpha >= 1.0 && surface.geometric_normal.dot(to_light) <= 0.0;
-        let dark = material.specular == Color::ZERO && surface.normal.dot(to_light) <= 0.0;
-        if !(hidden || dark) {
-            // Only what lies between the point and the light counts: 0 < t < 1.
-            let (t_min, t_max) = (f32::MIN_POSITIVE, 1.0f32.next_down());
-            self.rays.push(Ray { origin: shaded.origin, t_min, dir: to_light, t_max });
-            self.owners.push(index as u32);
+        let sent = self.rays.len() - before;
+        if sent > 0 {
+            self.owners.push((index as u32, sent as u32));
         }
     }
 
     /// Traces the buffered rays and adds what arrives to the sums of their surfaces.
     fn arrive(&mut self, context: &Context<'_>, batch: &mut Batch) {
         self.find_shares(context, batch);
-        for ((ray, &owner), &share) in self.rays.iter().zip(&self.owners).zip(&self.shares) {
-            if share > 0.0 {
-                let shaded = &batch.shaded[owner as usize];
-                let material = &context.scene.materials[shaded.surface.material];
-                let normal = shaded.surface.normal;
-                self.sums[owner as usize].add(material, normal, shaded.dir, ray.dir, share);
-            }
+        let mut first = 0;
+        for &(owner, count) in &self.owners {
+            let shaded = &batch.shaded[owner as usize];
+            let material = &context.scene.materials[shaded.surface.material];
+            let range = first..first + count as usize;
+            first = range.end;
+            // A surface with many samples may arrive in parts: each goes on with the same sum.
+            let dirs = self.rays[range.clone()].iter().map(|ray| &ray.dir);
+            let arriving = dirs.zip(&self.shares[range]);
+            let mut sum = self.sums[owner as usize];
+            sum.add(material, shaded.surface.normal, shaded.dir, arriving);
+            self.sums[owner as usize] = sum;
         }
         self.rays.clear();
         self.owners.clear();
@@ -137,6 +129,21 @@ impl Shadows {
         stats.rays += self.rays.len() as u64;
         stats.hits += self.blocked.iter().filter(|&&blocked| blocked).count() as u64;
     }
+}
+
+/// The ray from a surface to a point of a light, unless the answer is known: an opaque surface is
+/// in its own shadow on the side away from the light, and light that falls from behind the shading
+/// normal on a surface without highlights adds nothing.
+#[inline]
+fn shadow_ray(shaded: &Shaded, material: &Material, light: Vec3) -> Option<Ray> {
+    let to_light = light - shaded.origin;
+    let surface = &shaded.surface;
+    let hidden = material.alpha >= 1.0 && surface.geometric_normal.dot(to_light) <= 0.0;
+    let dark = material.specular == Color::ZERO && surface.normal.dot(to_light) <= 0.0;
+    // Only what lies between the point and the light counts. The surface itself is left behind by
+    // where the ray starts.
+    let t_max = 1.0f32.next_down();
+    (!(hidden || dark)).then_some(Ray { origin: shaded.origin, t_min: 0.0, dir: to_light, t_max })
 }
 
 impl Walk {

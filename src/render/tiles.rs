@@ -59,10 +59,7 @@ pub fn render(
 ) -> Rendering {
     let region = settings.region();
     assert!(
-        region.x0 < region.x1
-            && region.y0 < region.y1
-            && region.x1 <= settings.width
-            && region.y1 <= settings.height,
+        !region.is_empty() && region.is_within(settings.width, settings.height),
         "the crop is empty or leaves the picture"
     );
     let start = Instant::now();

@@ -117,10 +117,10 @@ impl<A: Accel> Primitives for ObjectList<A> {
         counters: &mut C,
     ) {
         for object in &self.objects[slots.start as usize..slots.end as usize] {
-            if let Some(hit) = object.closest(ray, box_ray, best.t, counters) {
-                if hit.precedes(best) {
-                    *best = hit;
-                }
+            if let Some(hit) = object.closest(ray, box_ray, best.t, counters)
+                && hit.precedes(best)
+            {
+                *best = hit;
             }
         }
     }
@@ -149,75 +149,71 @@ impl<A: Accel> Placed<A> {
         t_max: f32,
         counters: &mut C,
     ) -> Option<Hit> {
-        let (near, far) = box_ray.interval(&self.bounds);
-        let own = self.own_ray(ray, near, far.min(t_max));
-        let flat = |(t, prim)| Hit { t, object: self.id, prim, u: 0.0, v: 0.0 };
-        match &self.form {
-            PlacedForm::Ball(ball) => {
-                counters.primitives(1);
-                first_of(&own, ball_crossing(ball, &own)?).map(flat)
-            }
-            PlacedForm::Cylinder => {
-                counters.primitives(1);
-                first_of(&own, Cylinder::crossing(&own)?).map(flat)
-            }
-            PlacedForm::Triangle(triangle) => {
-                counters.primitives(1);
-                let (t, u, v) = triangle.intersect(&own)?;
-                Some(Hit { t, object: self.id, prim: 0, u, v })
-            }
-            PlacedForm::Mesh(mesh) => {
-                let hit = mesh.closest(&own, counters);
-                hit.is_hit().then_some(Hit { object: self.id, ..hit })
-            }
+        if let PlacedForm::Mesh(mesh) = &self.form {
+            let hit = mesh.closest(&self.cut_own_ray(ray, box_ray, t_max), counters);
+            return hit.is_hit().then_some(Hit { object: self.id, ..hit });
         }
+        counters.primitives(1);
+        let own = self.own_ray(&Ray { t_max, ..*ray });
+        if let PlacedForm::Triangle(triangle) = &self.form {
+            let (t, u, v) = triangle.intersect(&own)?;
+            let hit = Hit { t, object: self.id, prim: 0, u, v };
+            return box_ray.accepts(&self.bounds, t).then_some(hit);
+        }
+        let (t, prim) = self.first_crossing(&own, box_ray)?;
+        Some(Hit { t, object: self.id, prim, u: 0.0, v: 0.0 })
     }
 
     /// Whether this object has a hit on the ray.
     #[inline]
     fn blocks<C: Counters>(&self, ray: &Ray, box_ray: &BoxRay, counters: &mut C) -> bool {
-        let (near, far) = box_ray.interval(&self.bounds);
-        let own = self.own_ray(ray, near, far.min(ray.t_max));
-        match &self.form {
-            PlacedForm::Ball(ball) => {
-                counters.primitives(1);
-                ball_crossing(ball, &own).is_some_and(|c| first_of(&own, c).is_some())
-            }
-            PlacedForm::Cylinder => {
-                counters.primitives(1);
-                Cylinder::crossing(&own).is_some_and(|c| first_of(&own, c).is_some())
-            }
-            PlacedForm::Triangle(triangle) => {
-                counters.primitives(1);
-                triangle.intersect(&own).is_some()
-            }
-            PlacedForm::Mesh(mesh) => mesh.blocked(&own, counters),
+        if let PlacedForm::Mesh(mesh) = &self.form {
+            return mesh.blocked(&self.cut_own_ray(ray, box_ray, ray.t_max), counters);
         }
+        counters.primitives(1);
+        let own = self.own_ray(ray);
+        if let PlacedForm::Triangle(triangle) = &self.form {
+            return triangle
+                .intersect(&own)
+                .is_some_and(|(t, ..)| box_ray.accepts(&self.bounds, t));
+        }
+        self.first_crossing(&own, box_ray).is_some()
     }
 
-    /// The ray in the object's own space, cut to the interval of the object's box.
-    ///
-    /// The interval may be empty; then nothing counts, but the object's own structure is asked all
-    /// the same: what to skip is a structure's to decide.
+    /// The ray in the object's own space.
     #[inline(always)]
-    fn own_ray(&self, ray: &Ray, near: f32, far: f32) -> Ray {
-        let cut = Ray { t_min: ray.t_min.max(near), t_max: far, ..*ray };
+    fn own_ray(&self, ray: &Ray) -> Ray {
         match &self.to_object {
-            Some(to_object) => to_object.apply(&cut),
-            None => cut,
+            Some(to_object) => to_object.apply(ray),
+            None => *ray,
         }
     }
-}
 
-/// A ball's crossing in the form of all closed shapes: two parameters, each with its part.
-#[inline(always)]
-fn ball_crossing(ball: &Ball, ray: &Ray) -> Option<[(f32, u32); 2]> {
-    let (enter, leave) = ball.crossing(ray)?;
-    Some([(enter, 0), (leave, 0)])
-}
+    /// The ray in the object's own space, cut to the interval of the object's box: what a mesh's
+    /// own structure is asked.
+    ///
+    /// The interval may be empty; then nothing counts, but the structure is asked all the same:
+    /// what to skip is a structure's to decide.
+    #[inline(always)]
+    fn cut_own_ray(&self, ray: &Ray, box_ray: &BoxRay, t_max: f32) -> Ray {
+        let (near, far) = box_ray.interval(&self.bounds);
+        self.own_ray(&Ray { t_min: ray.t_min.max(near), t_max: far.min(t_max), ..*ray })
+    }
 
-/// The first of two crossings that lies in the interval of the ray.
-#[inline(always)]
-fn first_of(ray: &Ray, crossings: [(f32, u32); 2]) -> Option<(f32, u32)> {
-    crossings.into_iter().find(|&(t, _)| ray.t_min <= t && t <= ray.t_max)
+    /// The first of the two crossings of a closed shape that lies in the interval of the ray and
+    /// of the object's box, and the part of the shape that is crossed.
+    #[inline(always)]
+    fn first_crossing(&self, own: &Ray, box_ray: &BoxRay) -> Option<(f32, u32)> {
+        let crossings = match &self.form {
+            PlacedForm::Ball(ball) => {
+                let (enter, leave) = ball.crossing(own)?;
+                [(enter, 0), (leave, 0)]
+            }
+            PlacedForm::Cylinder => Cylinder::crossing(own)?,
+            PlacedForm::Triangle(_) | PlacedForm::Mesh(_) => return None,
+        };
+        crossings
+            .into_iter()
+            .find(|&(t, _)| own.t_min <= t && t <= own.t_max && box_ray.accepts(&self.bounds, t))
+    }
 }

@@ -19,7 +19,7 @@ pub struct World<O, T> {
 }
 
 /// What building a world took and gave.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildReport {
     /// Wall time from the compiled scene to the first ray, packing of triangles included.
     pub time: Duration,

@@ -23,11 +23,24 @@ pub struct Diagnostic {
     /// What is wrong, in one line that can stand alone.
     pub message: String,
     /// A few words at the marked place.
-    pub label: Option<String>,
+    pub label: Option<Box<str>>,
     /// What would be right.
-    pub help: Option<String>,
+    pub help: Option<Box<str>>,
     /// Other places that belong to it, each with a few words: where a brace was opened, say.
     pub related: Vec<(Span, String)>,
+    /// The line of another file that is to blame, where one is. Boxed, since it is rare.
+    pub elsewhere: Option<Box<LineElsewhere>>,
+}
+
+/// A line of a file that the scene names: of a mesh, say.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LineElsewhere {
+    /// The file's name, as it shall be shown.
+    pub file: String,
+    /// The line's number, from 1.
+    pub line: usize,
+    /// The line itself, without its end.
+    pub text: String,
 }
 
 impl Diagnostic {
@@ -44,19 +57,27 @@ impl Diagnostic {
     }
 
     fn new(severity: Severity, span: Span, message: String) -> Self {
-        Self { severity, span, message, label: None, help: None, related: Vec::new() }
+        Self {
+            severity,
+            span,
+            message,
+            label: None,
+            help: None,
+            related: Vec::new(),
+            elsewhere: None,
+        }
     }
 
     /// The same with a few words at the marked place.
     #[must_use]
     pub fn with_label(self, label: impl Into<String>) -> Self {
-        Self { label: Some(label.into()), ..self }
+        Self { label: Some(label.into().into_boxed_str()), ..self }
     }
 
     /// The same with what would be right.
     #[must_use]
     pub fn with_help(self, help: impl Into<String>) -> Self {
-        Self { help: Some(help.into()), ..self }
+        Self { help: Some(help.into().into_boxed_str()), ..self }
     }
 
     /// The same with one more place.
@@ -64,6 +85,12 @@ impl Diagnostic {
     pub fn with_related(mut self, span: Span, label: impl Into<String>) -> Self {
         self.related.push((span, label.into()));
         self
+    }
+
+    /// The same with a line of another file.
+    #[must_use]
+    pub fn with_elsewhere(self, elsewhere: LineElsewhere) -> Self {
+        Self { elsewhere: Some(Box::new(elsewhere)), ..self }
     }
 
     /// Whether the scene cannot be used.

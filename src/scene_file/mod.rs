@@ -51,7 +51,7 @@ mod text;
 mod values;
 
 pub use command::{Command, Group, Kind, Value};
-pub use diagnostic::{Diagnostic, Severity};
+pub use diagnostic::{Diagnostic, LineElsewhere, Severity};
 pub use render::{MOST_RENDERED, render_diagnostics, summarize};
 pub use table::COMMANDS;
 pub use text::line_column;

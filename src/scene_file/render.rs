@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
 
-use super::diagnostic::{Diagnostic, Severity, counted};
+use super::diagnostic::{Diagnostic, LineElsewhere, Severity, counted};
 use super::text::{floor_boundary, line_around};
 use crate::description::Span;
 
@@ -71,11 +71,29 @@ fn group<'a>(diagnostic: &Diagnostic, source: &str, file_name: &str) -> Group<'a
             .path(file_name.to_owned())
             .annotations(excerpt.marks)
     });
-    let group = level.primary_title(printable(&diagnostic.message)).elements(snippets);
+    let group = level
+        .primary_title(printable(&diagnostic.message))
+        .elements(snippets)
+        .elements(diagnostic.elsewhere.as_deref().map(snippet_elsewhere));
     match &diagnostic.help {
         Some(help) => group.element(Level::HELP.message(printable(help))),
         None => group,
     }
+}
+
+/// A line of another file, all of it marked.
+fn snippet_elsewhere<'a>(line: &LineElsewhere) -> Snippet<'a, Annotation<'a>> {
+    let text = printable(&line.text);
+    let mark = AnnotationKind::Primary.span(marked(&text));
+    Snippet::source(text).line_start(line.line).path(printable(&line.file)).annotation(mark)
+}
+
+/// What is marked of a line that is marked as a whole: no white space around it, and no more than
+/// a sensible length.
+fn marked(text: &str) -> Range<usize> {
+    let start = text.len() - text.trim_start().len();
+    let length = text.trim().chars().take(LONGEST_MARK).map(char::len_utf8).sum::<usize>();
+    start..start + length
 }
 
 /// A line of the source, made printable, with its marks.

@@ -8,13 +8,7 @@ use super::command::{Command, Group, Kind, Value};
 use super::entities;
 use super::scopes;
 use super::state;
-
-/// The most a picture may have along a side.
-const MOST_PIXELS: u32 = 65_535;
-/// The most bounces that a scene may ask for.
-const MOST_BOUNCES: u32 = 1_000;
-/// The most samples along a side of a pixel that a scene may ask for.
-const MOST_SAMPLES: u32 = 256;
+use crate::description::{Camera, Options};
 
 /// Every command, in the order of the format's description.
 pub const COMMANDS: &[Command] = &[
@@ -66,7 +60,7 @@ pub const COMMANDS: &[Command] = &[
     Command {
         keyword: "nx",
         group: Group::Camera,
-        values: &[value("width", Kind::Whole(1, MOST_PIXELS))],
+        values: &[value("width", Kind::Whole(1, Camera::MAX_SIDE))],
         summary: "the width of the picture in pixels",
         example: "nx 600",
         also_called: &["width"],
@@ -75,7 +69,7 @@ pub const COMMANDS: &[Command] = &[
     Command {
         keyword: "ny",
         group: Group::Camera,
-        values: &[value("height", Kind::Whole(1, MOST_PIXELS))],
+        values: &[value("height", Kind::Whole(1, Camera::MAX_SIDE))],
         summary: "the height of the picture in pixels",
         example: "ny 400",
         also_called: &["height"],
@@ -84,7 +78,7 @@ pub const COMMANDS: &[Command] = &[
     Command {
         keyword: "max_recursion",
         group: Group::Options,
-        values: &[value("bounces", Kind::Whole(0, MOST_BOUNCES))],
+        values: &[value("bounces", Kind::Whole(0, Options::MAX_RECURSION))],
         summary: "how many mirror bounces a view ray may take; 1 where nothing is said",
         example: "max_recursion 4",
         also_called: &["maxdepth", "max_depth", "recursion"],
@@ -93,7 +87,7 @@ pub const COMMANDS: &[Command] = &[
     Command {
         keyword: "aasample",
         group: Group::Options,
-        values: &[value("n", Kind::Whole(0, MOST_SAMPLES))],
+        values: &[value("n", Kind::Whole(0, Options::MAX_AA))],
         summary: "n × n samples a pixel, or one ray through its centre for 0, as where nothing is said",
         example: "aasample 4",
         also_called: &["samples"],

@@ -16,7 +16,8 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// The parameters at which a line enters and leaves the ball, or `None` if it passes by.
+    /// The parameters at which a ray's line enters and leaves the ball, or `None` if the line
+    /// passes by or the ball lies behind the ray's origin.
     ///
     /// After Haines, Günther, Akenine-Möller: *Precision Improvements for Ray/Sphere
     /// Intersection*, Ray Tracing Gems, 2019, chapter 7: the discriminant from the distance
@@ -28,12 +29,15 @@ impl Ball {
         let f = ray.origin - self.center;
         let a = ray.dir.dot(ray.dir);
         let b = -f.dot(ray.dir);
+        let c = f.dot(f) - self.radius * self.radius;
+        if c > 0.0 && b < 0.0 {
+            return None; // Outside and on the way out: both parameters are negative.
+        }
         let to_line = f + (b / a) * ray.dir;
         let discriminant = self.radius * self.radius - to_line.dot(to_line);
         if discriminant.is_nan() || discriminant < 0.0 {
             return None;
         }
-        let c = f.dot(f) - self.radius * self.radius;
         let q = b + b.signum() * (a * discriminant).sqrt();
         let (t0, t1) = (c / q, q / a);
         Some(if t0 < t1 { (t0, t1) } else { (t1, t0) })
@@ -73,6 +77,8 @@ mod tests {
         assert_eq!(ball.crossing(&ray), Some((4.75, 5.25)));
         let inside = Ray::new(ball.center, Vec3::X);
         assert_eq!(ball.crossing(&inside), Some((-0.5, 0.5)));
+        let away = Ray::new(Vec3::new(1.0, 2.0, -7.0), -Vec3::Z);
+        assert_eq!(ball.crossing(&away), None);
     }
 
     #[test]

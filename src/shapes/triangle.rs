@@ -80,12 +80,24 @@ impl Triangle {
     pub fn intersect(&self, ray: &Ray) -> Option<(f32, f32, f32)> {
         let [origin, dir, v0, e1, e2] =
             [ray.origin, ray.dir, self.v0, self.e1, self.e2].map(|v| v.to_array());
-        let hit = scaled_hit(origin, dir, v0, e1, e2);
-        if !(hit.u >= 0.0 && hit.v >= 0.0 && hit.u + hit.v <= hit.det) {
+        // The steps of `scaled_hit`, left as soon as the ray is known to miss. The parameter comes
+        // first: most rays that leave a surface have it behind them.
+        let h = cross(dir, e2);
+        let det = dot(e1, h);
+        let (sign, size) = (det.signum(), det.abs());
+        let s = sub(origin, v0);
+        let q = cross(s, e1);
+        let t = dot(e2, q) * sign;
+        let u = dot(s, h) * sign;
+        if !(t >= 0.0 && u >= 0.0 && u <= size) {
             return None;
         }
-        let t = hit.t / hit.det;
-        (ray.t_min <= t && t <= ray.t_max).then(|| (t, hit.u / hit.det, hit.v / hit.det))
+        let v = dot(dir, q) * sign;
+        if !(v >= 0.0 && u + v <= size) {
+            return None;
+        }
+        let t = t / size;
+        (ray.t_min <= t && t <= ray.t_max).then(|| (t, u / size, v / size))
     }
 
     /// The point at barycentric weights `u` (second corner) and `v` (third corner).
@@ -143,6 +155,30 @@ mod tests {
     fn a_degenerate_triangle_has_no_finite_parameter() {
         let t = Triangle::new([Vec3::ZERO, Vec3::X, Vec3::X]);
         assert_eq!(hit([0.5, 0.0, 1.0], [0.0, 0.0, -1.0], &t), None);
+    }
+
+    #[test]
+    fn one_triangle_and_four_lanes_give_the_same_bits() {
+        let mut random = crate::math::Random::new(&[17]);
+        let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32() - 0.5));
+        let mut hits = 0;
+        for _ in 0..20_000 {
+            let t = Triangle::new([point(), point(), point()]);
+            let origin = 4.0 * point();
+            let ray = Ray::new(origin, point() - origin);
+            let rows = |v: Vec3| v.to_array().map(glam::Vec4::splat);
+            let h = scaled_hit(rows(ray.origin), rows(ray.dir), rows(t.v0), rows(t.e1), rows(t.e2));
+            let inside = h.u[3] >= 0.0 && h.v[3] >= 0.0 && h.u[3] + h.v[3] <= h.det[3];
+            let time = h.t[3] / h.det[3];
+            let lanes = (inside && (0.0..=f32::MAX).contains(&time))
+                .then(|| (time, h.u[3] / h.det[3], h.v[3] / h.det[3]));
+            let bits = |h: Option<(f32, f32, f32)>| {
+                h.map(|(t, u, v)| [t.to_bits(), u.to_bits(), v.to_bits()])
+            };
+            assert_eq!(bits(t.intersect(&ray)), bits(lanes));
+            hits += u32::from(lanes.is_some());
+        }
+        assert!(hits > 100, "{hits}");
     }
 
     #[test]

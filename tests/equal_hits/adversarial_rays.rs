@@ -9,7 +9,7 @@ use crate::nasty_meshes::{Mesh, random_point};
 const CLASSES: usize = 12;
 
 /// `count` rays aimed at the triangles of a mesh.
-pub fn rays_at(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
+pub(crate) fn rays_at(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
     let low = mesh.positions.iter().copied().fold(Vec3::INFINITY, Vec3::min);
     let high = mesh.positions.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
     let mut aim = Aim {

@@ -5,20 +5,20 @@ use srt::math::Random;
 
 /// Positions and triangles.
 #[derive(Clone)]
-pub struct Mesh {
-    pub name: &'static str,
-    pub positions: Vec<Vec3>,
-    pub triangles: Vec<[u32; 3]>,
+pub(crate) struct Mesh {
+    pub(crate) name: &'static str,
+    pub(crate) positions: Vec<Vec3>,
+    pub(crate) triangles: Vec<[u32; 3]>,
 }
 
 impl Mesh {
     /// The mesh scaled about the origin, then moved.
-    pub fn moved(&self, scale: f32, offset: Vec3) -> Self {
+    pub(crate) fn moved(&self, scale: f32, offset: Vec3) -> Self {
         let positions = self.positions.iter().map(|&p| p * scale + offset).collect();
         Self { positions, ..self.clone() }
     }
 
-    pub fn corners(&self, triangle: usize) -> [Vec3; 3] {
+    pub(crate) fn corners(&self, triangle: usize) -> [Vec3; 3] {
         self.triangles[triangle].map(|i| self.positions[i as usize])
     }
 
@@ -34,7 +34,7 @@ impl Mesh {
     }
 }
 
-pub fn all() -> Vec<Mesh> {
+pub(crate) fn all() -> Vec<Mesh> {
     vec![lattice(), nested(), soup(), fan(), single()]
 }
 
@@ -99,7 +99,7 @@ fn nested() -> Mesh {
 }
 
 /// Triangles of all sizes anywhere.
-pub fn soup() -> Mesh {
+pub(crate) fn soup() -> Mesh {
     let mut mesh = empty("soup");
     let mut random = Random::new(&[11]);
     for _ in 0..300 {
@@ -111,7 +111,7 @@ pub fn soup() -> Mesh {
 }
 
 /// Many triangles about one shared vertex, the flat way and as a cone.
-fn fan() -> Mesh {
+pub(crate) fn fan() -> Mesh {
     let mut mesh = empty("fan");
     for (height, tip) in [(0.0, Vec3::ZERO), (0.4, Vec3::new(0.1, 0.2, 1.0))] {
         let rim = |i: u32| {
@@ -132,6 +132,6 @@ fn single() -> Mesh {
 }
 
 /// A point in [−1, 1)³.
-pub fn random_point(random: &mut Random) -> Vec3 {
+pub(crate) fn random_point(random: &mut Random) -> Vec3 {
     Vec3::from_array(std::array::from_fn(|_| 2.0 * random.next_f32() - 1.0))
 }

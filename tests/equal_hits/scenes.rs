@@ -1,1 +1,143 @@
-//! Two levels: objects of every form, under every kind of transform, and the pictures of scenes.
+//! Two levels: objects of every form under every kind of transform, in every structure.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DQuat, DVec3, Vec3};
+use srt::accel::{BuildConfig, Quality};
+use srt::assets::MeshData;
+use srt::description::{
+    Camera, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape,
+};
+use srt::math::{Color, Random, Ray};
+use srt::scene::{STRUCTURES, Scene};
+
+use crate::nasty_meshes::{self, Mesh, random_point};
+use crate::{assert_equal, rays_cut_at_hits, trace};
+
+#[test]
+fn random_scenes_of_transformed_objects() {
+    let mut compared = 0;
+    for seed in 0..8 {
+        for scale in [1e-3, 1.0, 1e6] {
+            let scene = random_scene(seed, scale);
+            compared += compare(&scene, seed, 6_000);
+        }
+    }
+    println!("{compared} rays compared, 0 differ");
+    assert!(compared > 150_000, "only {compared} rays were compared");
+}
+
+/// Compares all structures with the first of the table, `none`; returns how many rays.
+fn compare(scene: &Scene, seed: u64, count: usize) -> usize {
+    let worlds: Vec<_> = STRUCTURES
+        .iter()
+        .flat_map(|structure| {
+            [Quality::Fastest, Quality::Slowest].map(|quality| {
+                let config = BuildConfig { quality, ..BuildConfig::default() };
+                (structure.name, structure.build(scene, &config))
+            })
+        })
+        .collect();
+    let (oracle, none) = &worlds[0];
+    assert_eq!(*oracle, "none");
+    let rays = rays_into(scene, seed, count);
+    let cut = rays_cut_at_hits(&rays, &trace(none.as_ref(), &rays).0);
+    for rays in [&rays, &cut] {
+        let expected = trace(none.as_ref(), rays);
+        let hits = expected.0.iter().filter(|hit| hit.is_hit()).count();
+        assert!(hits * 10 > rays.len(), "only {hits} of {} rays hit", rays.len());
+        for (name, world) in &worlds[1..] {
+            assert_equal(&format!("scene {seed}: {name}"), world.as_ref(), rays, &expected);
+        }
+    }
+    rays.len() + cut.len()
+}
+
+/// Forty objects of all forms, many of them touching, some twice in the same place.
+fn random_scene(seed: u64, scale: f64) -> Scene {
+    let mut random = Random::new(&[seed]);
+    let mut objects: Vec<Object> = (0..40).map(|i| random_object(i, scale, &mut random)).collect();
+    let doubled: Vec<_> = objects.iter().step_by(7).cloned().collect();
+    objects.extend(doubled);
+    let meshes = [nasty_meshes::soup(), nasty_meshes::fan()];
+    let description = SceneDescription {
+        camera: Camera {
+            eye: DVec3::ZERO,
+            direction: DVec3::X,
+            up: DVec3::Z,
+            distance: 1.0,
+            fovy_degrees: 40.0,
+            width: 1,
+            height: 1,
+        },
+        options: Options { max_recursion: 0, aa: 0, background: Color::ZERO },
+        materials: vec![Material::default()],
+        meshes: meshes
+            .iter()
+            .map(|mesh| MeshReference { name: mesh.name.to_string(), span: 0..0 })
+            .collect(),
+        objects,
+        lights: vec![],
+    };
+    Scene::new(&description, meshes.iter().map(mesh_data).collect()).unwrap()
+}
+
+fn mesh_data(mesh: &Mesh) -> Arc<MeshData> {
+    Arc::new(MeshData::with_averaged_normals(mesh.positions.clone(), mesh.triangles.clone()))
+}
+
+fn random_object(index: usize, scale: f64, random: &mut Random) -> Object {
+    let transform = random_transform(index, scale, random);
+    let (shape, transform) = match index % 5 {
+        0 => (Shape::Ball { radius: 0.6, center: DVec3::new(0.1, 0.0, -0.2) }, transform),
+        1 => (Shape::Cylinder, transform),
+        2 => {
+            let corners = [(); 3].map(|()| scale * 2.0 * random_point(random).as_dvec3());
+            (Shape::Triangle { corners }, DAffine3::IDENTITY)
+        }
+        mesh => (Shape::Mesh { mesh: mesh - 3, normals: Normals::Flat }, transform),
+    };
+    Object { shape, transform, material: 0, span: 0..0 }
+}
+
+/// Nothing, moves, turns, mirrors, even and uneven scales, and shears made of both.
+fn random_transform(index: usize, scale: f64, random: &mut Random) -> DAffine3 {
+    let mut vector = || random_point(random).as_dvec3();
+    let size = DAffine3::from_scale(DVec3::splat(scale));
+    let place = DAffine3::from_translation(1.5 * vector());
+    let turn = DAffine3::from_quat(DQuat::from_scaled_axis(3.0 * vector()));
+    let stretch = DAffine3::from_scale(0.2 + 1.2 * vector().abs());
+    let mirror = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
+    match index / 5 % 6 {
+        0 => size,
+        1 => size * place,
+        2 => size * place * turn,
+        3 => size * place * turn * stretch,
+        4 => size * place * mirror * stretch,
+        _ => size * place * stretch * turn * stretch,
+    }
+}
+
+/// Rays from around the scene and from within it, many along the axes.
+fn rays_into(scene: &Scene, seed: u64, count: usize) -> Vec<Ray> {
+    let mut random = Random::new(&[seed, 1]);
+    let bounds = scene.bounds();
+    let (center, extent) = (Vec3::from(bounds.center()), bounds.size().length());
+    (0..count)
+        .map(|i| {
+            let distance = [0.2, 0.6, 30.0][i % 3];
+            let origin = center + distance * extent * random_point(&mut random);
+            let target = center + 0.3 * extent * random_point(&mut random);
+            let mut ray = Ray::new(origin, target - origin);
+            if i % 4 == 0 {
+                let axis = random.below(3) as usize;
+                ray.dir = Vec3::ZERO;
+                ray.dir[axis] = (target - origin)[axis];
+                for other in [(axis + 1) % 3, (axis + 2) % 3] {
+                    ray.origin[other] = target[other];
+                }
+            }
+            ray
+        })
+        .collect()
+}

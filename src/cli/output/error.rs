@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::cli::exit::Failure;
-use crate::cli::pending::Format;
+use crate::image_io::UnknownFormat;
 
 /// Why a result cannot be written.
 #[derive(Debug, thiserror::Error)]
@@ -24,15 +24,12 @@ pub(crate) enum OutputError {
         path: PathBuf,
     },
     /// The extension is that of no format.
-    #[error(
-        "cannot write `{}`: {}; known formats are {}; give one of these extensions or --format",
-        path.display(),
-        extension(path),
-        known_formats()
-    )]
+    #[error("cannot write `{}`: {source}; --format names one too", path.display())]
     UnknownFormat {
         /// As typed.
         path: PathBuf,
+        /// What is wrong with it, and which are known.
+        source: UnknownFormat,
     },
     /// A picture would be printed on the screen as text.
     #[error(
@@ -68,24 +65,5 @@ impl From<OutputError> for Failure {
             OutputError::BrokenPipe => Self::BrokenPipe,
             _ => Self::new(error),
         }
-    }
-}
-
-/// What is wrong with a path's extension.
-fn extension(path: &Path) -> String {
-    match path.extension() {
-        Some(extension) => {
-            format!("no picture format has the extension `.{}`", extension.display())
-        }
-        None => "it has no extension that would tell the format".to_owned(),
-    }
-}
-
-/// `.tga, .png and .ppm`, all of them.
-fn known_formats() -> String {
-    let names: Vec<String> = Format::ALL.iter().map(|f| format!(".{}", f.name())).collect();
-    match names.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
-        _ => names.concat(),
     }
 }

@@ -3,7 +3,7 @@
 use std::fs;
 
 use super::*;
-use crate::cli::pending::Format;
+use crate::image_io::Format;
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
     Output::prepare(path)?.write(|to| to.write_all(bytes))

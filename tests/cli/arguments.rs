@@ -1,52 +1,13 @@
-//! The command end to end, as a shell sees it.
-
-#![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
+//! What is typed: help, values that are checked, refusals before any work.
 
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
-use tempfile::TempDir;
-
-/// A scene that is valid wherever it is read.
-const SCENE: &str = "sce1.0\neyepos 0 -5 0\neyedir 0 1 0\neyeup 0 0 1\nwdist 1\nfovy_deg 40\n\
-    nx 16\nny 12\naasample 0\nball 1 0 0 0\npointlight 0 -5 5 1 1 1\nend\n";
-
-fn srt(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("srt").unwrap();
-    command.args(arguments).env_remove("NO_COLOR");
-    command
-}
-
-/// Runs in a folder and returns exit code, standard output and standard error.
-fn run_in(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
-    let output = srt(arguments).current_dir(folder).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
-}
-
-/// A folder with a valid scene in it.
-fn folder() -> TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("scene.sce"), SCENE).unwrap();
-    folder
-}
-
-/// Expects a refusal with a message, and no new file.
-fn refused(arguments: &[&str], parts: &[&str]) {
-    let folder = folder();
-    let (code, stdout, stderr) = run_in(folder.path(), arguments);
-    assert_eq!(code, 2, "{arguments:?}: {stderr}");
-    assert!(stdout.is_empty(), "{stdout}");
-    for part in parts {
-        assert!(stderr.contains(part), "{arguments:?} should say {part}:\n{stderr}");
-    }
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "{arguments:?} left a file");
-}
+use crate::support::{Run, folder, refused, run_in};
 
 #[test]
 fn help_names_every_option_and_exit_code() {
-    let (code, help, _) = run_in(Path::new("."), &["--help"]);
+    let Run { code, stdout: help, .. } = run_in(Path::new("."), &["--help"]);
     assert_eq!(code, 0);
     for word in [
         "--accel",
@@ -89,7 +50,7 @@ fn help_names_every_option_and_exit_code() {
         assert!(help.contains(word), "the help does not mention {word}:\n{help}");
     }
     for subcommand in ["check", "diff", "mesh", "completions", "man"] {
-        let (code, help, _) = run_in(Path::new("."), &[subcommand, "--help"]);
+        let Run { code, stdout: help, .. } = run_in(Path::new("."), &[subcommand, "--help"]);
         assert_eq!(code, 0);
         assert!(help.contains("Example"), "{subcommand}:\n{help}");
     }
@@ -97,7 +58,7 @@ fn help_names_every_option_and_exit_code() {
 
 #[test]
 fn the_version_is_the_packages() {
-    let (code, stdout, _) = run_in(Path::new("."), &["--version"]);
+    let Run { code, stdout, .. } = run_in(Path::new("."), &["--version"]);
     assert_eq!((code, stdout), (0, format!("srt {}\n", env!("CARGO_PKG_VERSION"))));
 }
 
@@ -120,6 +81,11 @@ fn values_are_checked() {
     with("--build", "slower", &["fastest", "slowest"]);
     with("--threads", "0", &["--threads"]);
     with("--aa", "-1", &["--aa"]);
+    with("--aa", "257", &["256"]);
+    with("--max-recursion", "1001", &["1000"]);
+    with("--size", "65536x1", &["65535"]);
+    with("--crop", "0,0,41,30", &["0,0,41,30", "40x30"]);
+    refused(&["scene.sce", "a.png", "--aa", "64", "--light-samples", "17"], &["64 × 64", "1024"]);
     with("--light-samples", "0", &["--light-samples"]);
     with("--view", "colour", &["heatmap"]);
     with("--format", "jpg", &["tga", "exr"]);
@@ -166,7 +132,7 @@ fn the_scene_is_not_replaced_by_its_picture() {
 #[test]
 fn completions_exist_for_every_shell() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
-        let (code, script, _) = run_in(Path::new("."), &["completions", shell]);
+        let Run { code, stdout: script, .. } = run_in(Path::new("."), &["completions", shell]);
         assert_eq!(code, 0);
         assert!(script.contains("light-samples"), "{shell}");
     }
@@ -176,21 +142,20 @@ fn completions_exist_for_every_shell() {
 #[test]
 fn man_pages_are_printed_or_written() {
     let folder = tempfile::tempdir().unwrap();
-    let (code, page, _) = run_in(folder.path(), &["man"]);
+    let Run { code, stdout: page, .. } = run_in(folder.path(), &["man"]);
     assert_eq!(code, 0);
     for part in [".TH srt 1", "light\\-samples", "Exit codes", "130"] {
         assert!(page.contains(part), "{part}:\n{page}");
     }
-    assert_eq!(run_in(folder.path(), &["man", "."]).0, 0);
+    assert_eq!(run_in(folder.path(), &["man", "."]).code, 0);
     assert_eq!(fs::read_to_string(folder.path().join("srt.1")).unwrap(), page);
     assert!(folder.path().join("srt-diff.1").exists());
-    assert_eq!(run_in(folder.path(), &["man", "no/such"]).0, 2);
+    assert_eq!(run_in(folder.path(), &["man", "no/such"]).code, 2);
 }
 
 #[cfg(unix)]
 mod unix {
-    use std::io::Read;
-    use std::process::{Command as Process, Stdio};
+    use std::process::Command as Process;
 
     use super::*;
 
@@ -214,7 +179,7 @@ mod unix {
         set_mode(&locked, 0o555);
         if !may_write_anywhere(&locked) {
             for name in ["locked/new.png", "locked/old.png"] {
-                let (code, _, stderr) = run_in(folder.path(), &["missing.sce", name]);
+                let Run { code, stderr, .. } = run_in(folder.path(), &["missing.sce", name]);
                 assert_eq!(code, 2);
                 assert!(stderr.contains(&format!("cannot write `{name}`")), "{stderr}");
             }
@@ -232,28 +197,11 @@ mod unix {
     fn bash_takes_the_completions() {
         let folder = tempfile::tempdir().unwrap();
         let script = folder.path().join("srt.bash");
-        let (_, text, _) = run_in(folder.path(), &["completions", "bash"]);
+        let Run { stdout: text, .. } = run_in(folder.path(), &["completions", "bash"]);
         fs::write(&script, text).unwrap();
         match Process::new("bash").arg("-n").arg(&script).status() {
             Ok(status) => assert!(status.success()),
             Err(error) => eprintln!("bash was not tried: {error}"),
         }
-    }
-
-    #[test]
-    fn a_reader_that_leaves_is_no_trouble() {
-        let mut command = Process::new(assert_cmd::cargo::cargo_bin!("srt"));
-        let mut child = command
-            .args(["completions", "bash"])
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        drop(child.stdout.take());
-        let mut stderr = String::new();
-        child.stderr.take().unwrap().read_to_string(&mut stderr).unwrap();
-        // It may have written everything before the pipe was closed.
-        assert!(matches!(child.wait().unwrap().code(), Some(141 | 0)));
-        assert_eq!(stderr, "");
     }
 }

@@ -1,0 +1,65 @@
+//! What is wrong with a scene beyond its text: meshes that cannot be had, objects that cannot be
+//! traced. Made into diagnostics at the scene's own lines, so that all trouble looks alike.
+
+use std::sync::Arc;
+
+use crate::assets::{AssetError, MeshData};
+use crate::description::{SceneDescription, Span};
+use crate::scene::SceneError;
+use crate::scene_file::{Diagnostic, LineElsewhere};
+
+/// A mesh that cannot be had, at the place where the scene names it first.
+pub(crate) fn mesh(error: &AssetError, scene: &SceneDescription) -> Diagnostic {
+    let diagnostic =
+        Diagnostic::error(scene.meshes[error.reference].span.clone(), error.to_string());
+    let diagnostic = match &error.place {
+        Some(place) => diagnostic.with_elsewhere(LineElsewhere {
+            file: place.path.display().to_string(),
+            line: place.line,
+            text: place.text.clone(),
+        }),
+        None => diagnostic,
+    };
+    match &error.help {
+        Some(help) => diagnostic.with_help(help.clone()),
+        None => diagnostic,
+    }
+}
+
+/// One warning for each mesh of which triangles without area were left out.
+pub(crate) fn dropped(scene: &SceneDescription, meshes: &[Arc<MeshData>]) -> Vec<Diagnostic> {
+    let told_before = |i: usize| meshes[..i].iter().any(|mesh| Arc::ptr_eq(mesh, &meshes[i]));
+    let warning = |(i, mesh): (usize, &Arc<MeshData>)| {
+        let reference = &scene.meshes[i];
+        let which = match mesh.dropped {
+            0 => return None,
+            1 => "1 degenerate triangle".to_owned(),
+            n => format!("{n} degenerate triangles"),
+        };
+        let message = format!("{which} of the mesh `{}` left out", reference.name);
+        let kept = format!("{} left", mesh.triangles.len());
+        (!told_before(i))
+            .then(|| Diagnostic::warning(reference.span.clone(), message).with_label(kept))
+    };
+    meshes.iter().enumerate().filter_map(warning).collect()
+}
+
+/// What cannot be traced, at the object's place.
+pub(crate) fn scene(error: &SceneError, scene: &SceneDescription) -> Diagnostic {
+    let place = |object: usize| scene.objects[object].span.clone();
+    match error {
+        SceneError::Transform { object, source } => {
+            Diagnostic::error(place(*object), source.to_string())
+                .with_label("this object")
+                .with_help("look for a factor of `scale` that is nearly zero, or huge")
+        }
+        SceneError::OutOfRange { object } => Diagnostic::error(
+            place(*object),
+            "an object is too large, too small or too far away to be traced in single precision",
+        )
+        .with_label("this object, with the transform in force")
+        .with_help("choose another unit of length"),
+        // The parser refuses such cameras and keeps no place of those that it accepts.
+        SceneError::Camera => Diagnostic::error(Span::default(), error.to_string()),
+    }
+}

@@ -1,0 +1,98 @@
+//! A scene from its file: read, parsed, its meshes loaded, compiled. What is wrong with it comes
+//! back as text for the terminal; nothing is printed here.
+
+use std::path::{Path, PathBuf};
+
+use super::source::{self, SourceError};
+use super::{diagnose, terminal};
+use crate::assets::load_meshes;
+use crate::description::SceneDescription;
+use crate::scene::Scene;
+use crate::scene_file::{Diagnostic, ParseOptions, parse, render_diagnostics, summarize};
+
+/// A scene that can be traced.
+pub(crate) struct Loaded {
+    /// The scene as written.
+    pub(crate) description: SceneDescription,
+    /// The scene as traced.
+    pub(crate) scene: Scene,
+    /// Warnings, as text without a last line end; empty if there are none.
+    pub(crate) warnings: String,
+}
+
+/// Why there is no scene.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum LoadError {
+    /// The file cannot be read.
+    #[error(transparent)]
+    Source(#[from] SourceError),
+    /// The scene is wrong.
+    #[error("`{}` is not a valid scene: {summary}", path.display())]
+    Invalid {
+        /// As typed.
+        path: PathBuf,
+        /// All that is wrong with it, without a last line end.
+        text: String,
+        /// How much that is.
+        summary: String,
+    },
+}
+
+/// Loads a scene with its meshes, on the threads of the current rayon pool.
+pub(crate) fn load(path: &Path, lenient: bool) -> Result<Loaded, LoadError> {
+    let source = source::read(path)?;
+    match compile(&source, path, lenient) {
+        Ok((description, scene, warnings)) => {
+            Ok(Loaded { description, scene, warnings: text(&warnings, &source, path) })
+        }
+        Err(diagnostics) => Err(LoadError::Invalid {
+            path: path.to_owned(),
+            text: text(&diagnostics, &source, path),
+            summary: summarize(&diagnostics),
+        }),
+    }
+}
+
+/// The scene as written and as traced, and its warnings; or all that is wrong with it.
+fn compile(
+    source: &str,
+    path: &Path,
+    lenient: bool,
+) -> Result<(SceneDescription, Scene, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let parsed = parse(source, &ParseOptions { lenient })?;
+    let (description, mut warnings) = (parsed.description, parsed.warnings);
+    let meshes = match load_meshes(&description.meshes, folder_of(path)) {
+        Ok(meshes) => meshes,
+        Err(errors) => {
+            warnings.extend(errors.iter().map(|error| diagnose::mesh(error, &description)));
+            return Err(in_order(warnings));
+        }
+    };
+    warnings.extend(diagnose::dropped(&description, &meshes));
+    let compiled = Scene::new(&description, meshes);
+    match compiled {
+        Ok(scene) => Ok((description, scene, in_order(warnings))),
+        Err(error) => {
+            warnings.push(diagnose::scene(&error, &description));
+            Err(in_order(warnings))
+        }
+    }
+}
+
+/// The folder that the scene's mesh paths are relative to.
+fn folder_of(path: &Path) -> &Path {
+    path.parent().unwrap_or(Path::new(""))
+}
+
+/// In the order of the scene's text; what is said of one place stays in its order.
+fn in_order(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    diagnostics.sort_by_key(|diagnostic| diagnostic.span.start);
+    diagnostics
+}
+
+fn text(diagnostics: &[Diagnostic], source: &str, path: &Path) -> String {
+    let name = path.display().to_string();
+    let mut text = render_diagnostics(diagnostics, source, &name, terminal::colors());
+    text.truncate(text.trim_end().len());
+    text
+}

@@ -1,0 +1,110 @@
+//! `srt check`, and what is said of scenes whose meshes are wrong.
+
+use std::fs;
+use std::path::Path;
+
+use crate::support::{SCENE, folder, run_in};
+
+#[test]
+fn a_valid_scene_is_described() {
+    let folder = folder();
+    let run = run_in(folder.path(), &["check", "scene.sce"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    insta::assert_snapshot!("a_valid_scene", run.stdout);
+}
+
+#[test]
+fn the_worst_scene_decides_and_all_are_checked() {
+    let folder = folder();
+    fs::write(folder.path().join("bad.sce"), SCENE.replace("wdist 1", "wdist 0")).unwrap();
+    let run = run_in(folder.path(), &["check", "bad.sce", "scene.sce"]);
+    assert_eq!(run.code, 1);
+    assert!(run.stdout.starts_with("scene.sce: valid\n"), "{}", run.stdout);
+    assert!(
+        run.stderr.contains("error: `bad.sce` is not a valid scene: 1 error"),
+        "{}",
+        run.stderr
+    );
+    let run = run_in(folder.path(), &["check", "missing.sce", "bad.sce", "scene.sce"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("cannot read the scene `missing.sce`"), "{}", run.stderr);
+    assert!(run.stderr.contains("`bad.sce` is not a valid scene"), "{}", run.stderr);
+}
+
+/// Scenes of one mesh each, and the files that it may be.
+fn meshes(folder: &Path) {
+    fs::create_dir(folder.join("meshes")).unwrap();
+    let write =
+        |name: &str, text: &[u8]| fs::write(folder.join("meshes").join(name), text).unwrap();
+    write("empty.obj", b"");
+    write("points.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    write("malformed.obj", b"# a mesh\nv 0 0 0\n  v 1 zero 0\nv 0 1 0\nf 1 2 3\n");
+    write("out_of_range.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+    write("bytes.obj", b"v 0 0 0\nv 1 \xff 0\n");
+    write("flat.obj", b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+    write("partly_flat.obj", b"v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\nf 1 1 4\n");
+}
+
+/// What `check` says of the scene with its mesh called `name`.
+fn said_of(name: &str) -> (i32, String) {
+    let folder = folder();
+    meshes(folder.path());
+    let scene = SCENE.replace("generate:torus-knot:1000", name);
+    fs::write(folder.path().join("mesh.sce"), scene).unwrap();
+    let run = run_in(folder.path(), &["check", "mesh.sce"]);
+    (run.code, run.stderr)
+}
+
+#[test]
+fn meshes_that_cannot_be_had() {
+    let names = [
+        "meshes/malformd.obj",
+        "nowhere/a.obj",
+        "meshes",
+        "meshes/empty.obj",
+        "meshes/points.obj",
+        "meshes/malformed.obj",
+        "meshes/out_of_range.obj",
+        "meshes/bytes.obj",
+        "meshes/flat.obj",
+        "generate:torus-knott:1000",
+        "generate:soup:many",
+    ];
+    let mut all = String::new();
+    for name in names {
+        let (code, stderr) = said_of(name);
+        assert_eq!(code, 1, "{name}: {stderr}");
+        all += &stderr;
+        all += "\n";
+    }
+    insta::assert_snapshot!("meshes", all);
+}
+
+#[test]
+fn degenerate_triangles_are_one_warning() {
+    let (code, stderr) = said_of("meshes/partly_flat.obj");
+    assert_eq!(code, 0);
+    insta::assert_snapshot!("degenerate_triangles_of_a_mesh", stderr);
+}
+
+#[test]
+fn objects_that_cannot_be_traced() {
+    let folder = folder();
+    let scene = SCENE.replace("translate 1.6 0.4 1", "translate 3e38 0 0\nscale 2e38 1 1");
+    fs::write(folder.path().join("far.sce"), scene).unwrap();
+    let run = run_in(folder.path(), &["check", "far.sce"]);
+    assert_eq!(run.code, 1);
+    insta::assert_snapshot!("objects_that_cannot_be_traced", run.stderr);
+}
+
+#[test]
+fn all_trouble_of_a_scene_is_told_at_once() {
+    let folder = folder();
+    let scene = SCENE.replace("end\n", "object_flat b.obj\nobject_flat a.obj\nend\n");
+    fs::write(folder.path().join("two.sce"), scene).unwrap();
+    let run = run_in(folder.path(), &["two.sce", "a.png"]);
+    assert_eq!(run.code, 2, "to render it is trouble");
+    assert!(run.stderr.contains("there is no mesh file `b.obj`"), "{}", run.stderr);
+    assert!(run.stderr.contains("there is no mesh file `a.obj`"), "{}", run.stderr);
+    assert!(run.stderr.contains("is not a valid scene: 2 errors"), "{}", run.stderr);
+}

@@ -1,0 +1,14 @@
+//! The command end to end, as a shell sees it.
+
+#![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
+
+mod arguments;
+mod check;
+mod diff;
+#[cfg(unix)]
+mod interrupt;
+mod mesh;
+mod outputs;
+mod rendering;
+mod stats;
+mod support;
