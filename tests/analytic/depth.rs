@@ -91,6 +91,6 @@ fn of_a_cylinder() {
             return Some(f64::NAN);
         }
         // NaN, close to the silhouette, stays NaN.
-        if z > 1.0 || z < -0.5 { None } else { Some(side) }
+        (side.is_nan() || (-0.5..=1.0).contains(&z)).then_some(side)
     });
 }
