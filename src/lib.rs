@@ -13,6 +13,7 @@ pub mod counters;
 pub mod description;
 pub mod image_io;
 pub mod math;
+pub mod record;
 pub mod render;
 pub mod scene;
 pub mod scene_file;

@@ -1,0 +1,31 @@
+//! A comparison as plain data: all that a report may know.
+//!
+//! The `compare` layer fills a [`Comparison`] by measuring, the `report` layer turns it into
+//! bytes, and neither needs the other. Nothing here knows how rays are traced, what a structure is
+//! or how a page looks. What was measured is kept raw, round by round; everything that follows
+//! from it (medians, intervals, ratios, slopes) is computed by [`statistics`], so that every report
+//! prints the same figures.
+//!
+//! Times are whole nanoseconds in fields that end in `_ns`, memory is bytes, hashes are
+//! hexadecimal. Pictures travel beside the record as files, which it names ([`PictureFile`]).
+
+mod class;
+mod comparison;
+mod machine;
+mod proof;
+mod run;
+mod sampling;
+mod scene;
+pub mod statistics;
+mod structure;
+mod sweep;
+
+pub use class::{ClassRecord, HardwareCounters, RayClass, Round};
+pub use comparison::{Comparison, SCHEMA_VERSION};
+pub use machine::Machine;
+pub use proof::{Proof, StructureProof};
+pub use run::{Options, RoundRule, Run};
+pub use sampling::{FrameShare, NoisePoint, OperationCost, Pairing, SamplingChapter};
+pub use scene::{HeatScale, PictureFile, SceneRecord, Spacing};
+pub use structure::{BuildRecord, Memory, PictureRound, Shape, Status, StructureRecord};
+pub use sweep::{Dropped, Sweep, SweepPoint};

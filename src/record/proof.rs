@@ -1,0 +1,56 @@
+//! That what was compared is the same work: equal pictures, equal hits.
+
+use serde::{Deserialize, Serialize};
+
+/// What all structures were held against.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Proof {
+    /// The structure that the others had to agree with.
+    pub reference: String,
+    /// The structures that rendered, the reference included.
+    pub structures: Vec<StructureProof>,
+}
+
+impl Proof {
+    /// Whether nothing differed anywhere.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.structures.iter().all(StructureProof::holds)
+    }
+
+    /// The entry of a structure.
+    #[must_use]
+    pub fn structure(&self, name: &str) -> Option<&StructureProof> {
+        self.structures.iter().find(|entry| entry.structure == name)
+    }
+}
+
+/// How a structure's answers differ from the reference's.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct StructureProof {
+    /// The structure.
+    pub structure: String,
+    /// SHA-256 of its picture, made as [`PictureFile::hash`](super::PictureFile::hash); absent if
+    /// it rendered none.
+    pub picture_hash: Option<String>,
+    /// Whether its picture is the reference's, bit for bit; absent if either rendered none.
+    pub picture_equal: Option<bool>,
+    /// Pixels of which a bit differs.
+    pub differing_pixels: u64,
+    /// The largest difference in a channel of a pixel, in linear units.
+    pub largest_difference: f64,
+    /// Recorded rays whose answers were compared.
+    pub rays_checked: u64,
+    /// How many of these answers differed: another distance, object, primitive or place on it.
+    pub differing_hits: u64,
+    /// The first ray that differed and both answers, in words.
+    pub first_difference: Option<String>,
+}
+
+impl StructureProof {
+    /// Whether nothing differed.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.picture_equal != Some(false) && self.differing_pixels == 0 && self.differing_hits == 0
+    }
+}

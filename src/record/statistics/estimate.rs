@@ -1,0 +1,182 @@
+//! The median of some rounds, and how sure it is.
+
+use serde::{Deserialize, Serialize};
+
+use crate::math::Random;
+
+/// Resamples of a bootstrap.
+pub const RESAMPLES: usize = 2_000;
+
+/// Rounds from which an interval is given: the range of five values covers their median with a
+/// probability of 1 − 2·2⁻⁵ = 93.75 %, that of six with 96.9 %, so fewer cannot give 95 %.
+pub const INTERVAL_ROUNDS: usize = 6;
+
+const SEED: u64 = 0x0062_6f6f_7473_7472;
+
+/// A 95 % interval.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Interval {
+    /// The 2.5 % quantile.
+    pub low: f64,
+    /// The 97.5 % quantile.
+    pub high: f64,
+}
+
+/// A median and its interval.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Estimate {
+    /// The median.
+    pub median: f64,
+    /// The 95 % interval of the median by the percentile bootstrap; absent for fewer than
+    /// [`INTERVAL_ROUNDS`] values.
+    pub interval: Option<Interval>,
+    /// How many values there were.
+    pub rounds: usize,
+}
+
+impl Estimate {
+    /// Half the interval's width, as a share of the median.
+    #[must_use]
+    pub fn relative_half_width(&self) -> Option<f64> {
+        let interval = self.interval?;
+        (self.median != 0.0).then(|| (interval.high - interval.low) / 2.0 / self.median.abs())
+    }
+
+    /// The estimate of a monotone function of what was estimated: medians and quantiles go through
+    /// it as they are.
+    #[must_use]
+    pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
+        let interval = self.interval.map(|interval| {
+            let (a, b) = (f(interval.low), f(interval.high));
+            Interval { low: a.min(b), high: a.max(b) }
+        });
+        Self { median: f(self.median), interval, rounds: self.rounds }
+    }
+}
+
+/// The middle value; of an even number of values, the mean of the two in the middle. `None` of no
+/// values, or if one is not finite.
+#[must_use]
+pub fn median(values: &[f64]) -> Option<f64> {
+    if all_finite(values) { median_of(&mut values.to_vec()) } else { None }
+}
+
+/// The median of values and its interval. `None` of no values, or if one is not finite.
+#[must_use]
+pub fn estimate(values: &[f64]) -> Option<Estimate> {
+    let median = median(values)?;
+    let interval = (values.len() >= INTERVAL_ROUNDS).then(|| {
+        let mut random = random(&[values.len()]);
+        let mut resample = Vec::with_capacity(values.len());
+        let medians = (0..RESAMPLES).filter_map(|_| {
+            draw(values, &mut random, &mut resample);
+            median_of(&mut resample)
+        });
+        quantiles(medians.collect())
+    });
+    Some(Estimate { median, interval, rounds: values.len() })
+}
+
+/// The random numbers of a bootstrap over so many values.
+pub(super) fn random(lengths: &[usize]) -> Random {
+    let key: Vec<u64> = std::iter::once(SEED).chain(lengths.iter().map(|&n| n as u64)).collect();
+    Random::new(&key)
+}
+
+/// Fills `resample` with as many of the values, drawn with replacement.
+pub(super) fn draw(values: &[f64], random: &mut Random, resample: &mut Vec<f64>) {
+    let n = u32::try_from(values.len()).unwrap_or(u32::MAX);
+    resample.clear();
+    resample.extend((0..values.len()).map(|_| values[random.below(n) as usize]));
+}
+
+/// The median, by reordering the values.
+pub(super) fn median_of(values: &mut [f64]) -> Option<f64> {
+    if values.is_empty() {
+        return None;
+    }
+    let even = values.len() % 2 == 0;
+    let (below, &mut upper, _) = values.select_nth_unstable_by(values.len() / 2, f64::total_cmp);
+    if !even {
+        return Some(upper);
+    }
+    let lower = below.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    Some(lower + (upper - lower) / 2.0)
+}
+
+/// The 2.5 % and 97.5 % quantiles of a non-empty list.
+pub(super) fn quantiles(mut values: Vec<f64>) -> Interval {
+    values.sort_unstable_by(f64::total_cmp);
+    let last = values.len() - 1;
+    let at = |q: f64| values[(q * last as f64).round() as usize];
+    Interval { low: at(0.025), high: at(0.975) }
+}
+
+pub(super) fn all_finite(values: &[f64]) -> bool {
+    values.iter().all(|value| value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_the_middle_value_or_the_mean_of_the_middle_two() {
+        assert_eq!(median(&[]), None);
+        assert_eq!(median(&[7.0]), Some(7.0));
+        assert_eq!(median(&[3.0, 1.0, 2.0]), Some(2.0));
+        assert_eq!(median(&[4.0, 1.0, 3.0, 2.0]), Some(2.5));
+        assert_eq!(median(&[5.0, 5.0, 1.0, 9.0, 5.0]), Some(5.0));
+        assert_eq!(median(&[1.0, f64::NAN]), None);
+    }
+
+    #[test]
+    fn equal_values_have_an_interval_of_no_width() {
+        let estimate = estimate(&[2.0; 10]).unwrap();
+        assert_eq!(estimate.interval, Some(Interval { low: 2.0, high: 2.0 }));
+        assert_eq!(estimate.relative_half_width(), Some(0.0));
+    }
+
+    #[test]
+    fn too_few_values_have_no_interval() {
+        assert_eq!(estimate(&[1.0, 2.0, 3.0, 4.0, 5.0]).unwrap().interval, None);
+        assert!(estimate(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).unwrap().interval.is_some());
+        assert_eq!(estimate(&[]), None);
+    }
+
+    /// The bootstrap distribution of the median of an odd number of values has a closed form: the
+    /// median of a resample is at most x₍ₖ₎ if more than half of its draws are, a binomial tail.
+    #[test]
+    fn the_interval_is_that_of_the_exact_bootstrap() {
+        let n = 101;
+        let values: Vec<f64> = (1..=n).map(f64::from).collect();
+        let at_most = |k: i32| {
+            let p = f64::from(k) / f64::from(n);
+            let mut term = (1.0 - p).powi(n);
+            let mut below = term;
+            for i in 0..n / 2 {
+                term *= f64::from(n - i) / f64::from(i + 1) * p / (1.0 - p);
+                below += term;
+            }
+            1.0 - below
+        };
+        let quantile = |q: f64| (1..n).find(|&k| at_most(k) >= q).unwrap();
+        let interval = estimate(&values).unwrap().interval.unwrap();
+        assert!((interval.low - f64::from(quantile(0.025))).abs() <= 1.5, "{interval:?}");
+        assert!((interval.high - f64::from(quantile(0.975))).abs() <= 1.5, "{interval:?}");
+    }
+
+    #[test]
+    fn the_same_rounds_give_the_same_interval() {
+        let values: Vec<f64> = (0..30).map(|i| f64::from(i * i % 17)).collect();
+        assert_eq!(estimate(&values), estimate(&values));
+    }
+
+    #[test]
+    fn a_falling_function_turns_the_interval_round() {
+        let interval = Some(Interval { low: 2.0, high: 5.0 });
+        let inverse = Estimate { median: 4.0, interval, rounds: 9 }.map(|x| 1.0 / x);
+        assert_eq!(inverse.interval, Some(Interval { low: 0.2, high: 0.5 }));
+        assert_eq!((inverse.median, inverse.rounds), (0.25, 9));
+    }
+}

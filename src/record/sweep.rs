@@ -1,0 +1,46 @@
+//! How cost grows with the number of triangles.
+
+use serde::{Deserialize, Serialize};
+
+use super::{RayClass, Round};
+
+/// A family of generated meshes, built and traced at growing sizes.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Sweep {
+    /// The family (`hall`, `terrain`, …).
+    pub mesh: String,
+    /// The measurements, by growing size.
+    pub points: Vec<SweepPoint>,
+    /// The structures that left before the largest size.
+    pub dropped: Vec<Dropped>,
+}
+
+/// One size, one structure, one class of rays.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SweepPoint {
+    /// Triangles in the mesh.
+    pub triangles: u64,
+    /// The structure.
+    pub structure: String,
+    /// The class of rays.
+    pub class: RayClass,
+    /// How many rays each round traced.
+    pub rays: u64,
+    /// The rounds, interleaved as in [`ClassRecord`](super::ClassRecord).
+    pub rounds: Vec<Round>,
+    /// Wall time of the structure's build on all threads, in nanoseconds.
+    pub build_ns: u64,
+    /// Bytes of the index.
+    pub index_bytes: u64,
+}
+
+/// A structure that did not go on to larger meshes.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Dropped {
+    /// The structure.
+    pub structure: String,
+    /// The size at which it left, in triangles.
+    pub triangles: u64,
+    /// Why, in words.
+    pub reason: String,
+}
