@@ -126,9 +126,16 @@ pub(crate) mod tests {
             depth: 23,
             leaf_sizes,
             bytes: 4_480_000,
+            sah_cost: None,
         };
-        let objects =
-            StructureShape { nodes: 3, leaves: 2, depth: 1, leaf_sizes: vec![0, 2], bytes: 96 };
+        let objects = StructureShape {
+            nodes: 3,
+            leaves: 2,
+            depth: 1,
+            leaf_sizes: vec![0, 2],
+            bytes: 96,
+            sah_cost: None,
+        };
         Report {
             scene: "scenes/hall.sce".to_owned(),
             width: 800,
