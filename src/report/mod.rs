@@ -1,0 +1,19 @@
+//! Record → bytes: JSON, CSV, Markdown, HTML and text for a terminal.
+//!
+//! Everything is made from a [`Comparison`](crate::record::Comparison) alone, so an old record
+//! gives the same report again. Knows no files and traces no rays: who calls decides where bytes
+//! go. All forms take their figures from [`Derived`](crate::record::derived::Derived) and round
+//! them in one place, so they say the same numbers.
+
+pub mod csv;
+pub mod html;
+pub mod json;
+mod limits;
+pub mod markdown;
+mod numbers;
+mod plot;
+mod tables;
+pub mod terminal;
+mod verdict;
+
+pub use verdict::verdict;
