@@ -34,6 +34,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("image_io", &["math"]),
     ("math", &[]),
     ("record", &["math"]),
+    ("report", &["record"]),
     ("render", &["accel", "counters", "description", "image_io", "math", "scene"]),
     ("scene", &["accel", "assets", "counters", "description", "math", "shapes"]),
     ("scene_file", &["description", "math"]),

@@ -1,7 +1,8 @@
-//! Values of options that are more than a number: sizes and crops.
+//! Values of options that are more than a number: sizes, crops, times, percentages.
 
 use std::fmt;
 use std::str::FromStr;
+use std::time::Duration;
 
 use crate::description::Camera;
 use crate::render::Crop;
@@ -21,6 +22,12 @@ pub(crate) enum ValueError {
     /// A crop without pixels.
     #[error("the crop is empty: x0 must be less than x1, and y0 less than y1")]
     CropEmpty,
+    /// Not a time.
+    #[error("expected a number of seconds above 0, such as 90 or 2.5")]
+    Seconds,
+    /// Not a percentage.
+    #[error("expected a percentage from 0, such as 10%")]
+    Percent,
 }
 
 /// Width and height of a picture in pixels, each from 1 to [`Camera::MAX_SIDE`].
@@ -63,6 +70,23 @@ pub(super) fn crop(text: &str) -> Result<Crop, ValueError> {
     if crop.is_empty() { Err(ValueError::CropEmpty) } else { Ok(crop) }
 }
 
+/// Reads a time in seconds, above 0 and at most a year.
+pub(super) fn seconds(text: &str) -> Result<Duration, ValueError> {
+    const YEAR: f64 = 366.0 * 86_400.0;
+    let seconds: f64 = text.trim().parse().map_err(|_| ValueError::Seconds)?;
+    let fits = seconds > 0.0 && seconds <= YEAR;
+    if fits { Ok(Duration::from_secs_f64(seconds)) } else { Err(ValueError::Seconds) }
+}
+
+/// Reads a percentage, `10%` or `10`, as a share: 0.1.
+pub(super) fn percent(text: &str) -> Result<f64, ValueError> {
+    let text = text.trim();
+    let number = text.strip_suffix('%').unwrap_or(text).trim_end();
+    let percent: f64 = number.parse().map_err(|_| ValueError::Percent)?;
+    let fits = percent.is_finite() && percent >= 0.0;
+    if fits { Ok(percent / 100.0) } else { Err(ValueError::Percent) }
+}
+
 /// A number of digits alone (Rust's own parser would also take `+3`); too large ones saturate, so
 /// that they meet the message about ranges.
 fn number(text: &str) -> Option<u32> {
@@ -98,6 +122,18 @@ mod tests {
         }
         for bad in ["3,0,3,4", "4,0,3,4", "0,4,3,4"] {
             assert_eq!(crop(bad), Err(ValueError::CropEmpty), "{bad}");
+        }
+    }
+
+    #[test]
+    fn times_and_percentages() {
+        assert_eq!(seconds("2.5"), Ok(Duration::from_millis(2_500)));
+        for bad in ["", "0", "-1", "nan", "inf", "1e9", "ten"] {
+            assert_eq!(seconds(bad), Err(ValueError::Seconds), "{bad}");
+        }
+        assert_eq!((percent("10%"), percent("0"), percent("2.5 %")), (Ok(0.1), Ok(0.0), Ok(0.025)));
+        for bad in ["", "%", "-1%", "nan", "inf%", "ten"] {
+            assert_eq!(percent(bad), Err(ValueError::Percent), "{bad}");
         }
     }
 

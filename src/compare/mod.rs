@@ -71,7 +71,7 @@ mod scene;
 use rayon::ThreadPool;
 
 pub use observer::{Observer, Silent};
-pub use plan::{PictureOptions, Plan, SceneInput, SweepPlan};
+pub use plan::{PictureOptions, Plan, SceneInput};
 pub use run::{CompareError, Outcome, run};
 
 use scene::Stage;

@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use crate::accel::BuildConfig;
-use crate::assets::generate::Kind;
 use crate::record::{RayClass, RoundRule};
 use crate::render::{Sampling, Settings};
 use crate::scene::Scene;
@@ -86,15 +85,6 @@ pub(super) fn fit(size: [u32; 2], largest: u32) -> [u32; 2] {
     size.map(|side| scaled(side).max(1) as u32)
 }
 
-/// A family of generated meshes of growing size.
-#[derive(Clone, Debug)]
-pub struct SweepPlan {
-    /// The family.
-    pub mesh: Kind,
-    /// Sizes in triangles, growing.
-    pub sizes: Vec<u32>,
-}
-
 /// What is to be compared, and how long that may take.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -116,10 +106,6 @@ pub struct Plan {
     pub rounds: RoundRule,
     /// The most rays of a class that are recorded.
     pub rays_per_class: usize,
-    /// Growth with the number of triangles, if it is asked for.
-    pub sweep: Option<SweepPlan>,
-    /// Whether the costs of sampling are studied too, on each scene.
-    pub sampling_study: bool,
 }
 
 impl Plan {
@@ -140,8 +126,6 @@ impl Plan {
             budget: None,
             rounds: RoundRule { warmup: 1, at_least: 10, relative_interval: 0.02 },
             rays_per_class: 200_000,
-            sweep: None,
-            sampling_study: false,
         }
     }
 }
