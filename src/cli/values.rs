@@ -1,8 +1,9 @@
-//! Values of options that are more than a number: sizes and crops.
+//! Values of options that are more than a number: sizes, crops, and numbers with a unit.
 
 use std::fmt;
 use std::str::FromStr;
 
+use crate::assets::generate::MAX_TRIANGLES;
 use crate::description::Camera;
 use crate::render::Crop;
 
@@ -21,6 +22,12 @@ pub(crate) enum ValueError {
     /// A crop without pixels.
     #[error("the crop is empty: x0 must be less than x1, and y0 less than y1")]
     CropEmpty,
+    /// Not a number of triangles.
+    #[error("expected a number such as 70000, 70k or 1M")]
+    CountForm,
+    /// None, or more than can be made.
+    #[error("the number must lie between 1 and {MAX_TRIANGLES}")]
+    CountRange,
 }
 
 /// Width and height of a picture in pixels, each from 1 to [`Camera::MAX_SIDE`].
@@ -63,6 +70,16 @@ pub(super) fn crop(text: &str) -> Result<Crop, ValueError> {
     if crop.is_empty() { Err(ValueError::CropEmpty) } else { Ok(crop) }
 }
 
+/// Reads a number of triangles: digits, and `k` or `M` for thousands or millions.
+pub(super) fn triangles(text: &str) -> Result<u32, ValueError> {
+    let (digits, unit) = match text.strip_suffix(['k', 'K']) {
+        Some(digits) => (digits, 1_000),
+        None => text.strip_suffix(['m', 'M']).map_or((text, 1), |digits| (digits, 1_000_000)),
+    };
+    let count = number(digits).ok_or(ValueError::CountForm)?.saturating_mul(unit);
+    if (1..=MAX_TRIANGLES).contains(&count) { Ok(count) } else { Err(ValueError::CountRange) }
+}
+
 /// A number of digits alone (Rust's own parser would also take `+3`); too large ones saturate, so
 /// that they meet the message about ranges.
 fn number(text: &str) -> Option<u32> {
@@ -98,6 +115,19 @@ mod tests {
         }
         for bad in ["3,0,3,4", "4,0,3,4", "0,4,3,4"] {
             assert_eq!(crop(bad), Err(ValueError::CropEmpty), "{bad}");
+        }
+    }
+
+    #[test]
+    fn numbers_of_triangles() {
+        for (text, count) in [("1", 1), ("70000", 70_000), ("70k", 70_000), ("10M", 10_000_000)] {
+            assert_eq!(triangles(text), Ok(count), "{text}");
+        }
+        for bad in ["", "k", "-5", "1.5k", "5kk", "many"] {
+            assert_eq!(triangles(bad), Err(ValueError::CountForm), "{bad}");
+        }
+        for bad in ["0", "0k", "101M", "99999999999"] {
+            assert_eq!(triangles(bad), Err(ValueError::CountRange), "{bad}");
         }
     }
 
