@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::limits::limits;
+use super::numbers;
 use super::tables::{self, Cell, Table};
 use super::verdict::verdict_of;
 use crate::record::derived::{Derived, SceneFigures};
@@ -40,10 +41,10 @@ fn add_scene(scene: &SceneRecord, figures: &SceneFigures, text: &mut String) {
     let name = escaped(&scene.name);
     let _ = write!(
         text,
-        "\n## {name}\n\n{} objects, {} triangles, {} lights; `{}`, SHA-256 `{}`\n",
-        super::numbers::whole(scene.objects),
-        super::numbers::whole(scene.triangles),
-        super::numbers::whole(scene.lights),
+        "\n## {name}\n\n{}, {}, {}; `{}`, SHA-256 `{}`\n",
+        numbers::things(scene.objects, "object"),
+        numbers::things(scene.triangles, "triangle"),
+        numbers::things(scene.lights, "light"),
         scene.path,
         scene.hash
     );

@@ -69,7 +69,7 @@ fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRec
     let of_class = |(i, &(name, rays, dearer)): (usize, &(RayClass, u64, f64))| {
         class(kind, name, rays, dearer, key + i as u64)
     };
-    let tree = kind.nodes > 0;
+    let tree = kind.nodes > 1;
     let render_ms = kind.view.0 * 1.2;
     StructureRecord {
         name: kind.name.to_owned(),

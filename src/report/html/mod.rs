@@ -106,7 +106,8 @@ fn head(page: &Page<'_>) -> Markup {
     let run = &page.comparison.run;
     html! {
         p class="kicker" { "srt compares acceleration structures" }
-        h1 { (verdict_of(page.comparison, &page.derived)) }
+        // An interval stays in one line.
+        h1 { (verdict_of(page.comparison, &page.derived).replace('–', "\u{2060}–\u{2060}")) }
         p class="byline" {
             @if run.date.is_empty() { "No date" } @else { time datetime=(run.date) { (run.date) } }
             @if !run.machine.cpu.is_empty() { " · " (run.machine.cpu) }
