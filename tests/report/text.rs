@@ -65,7 +65,7 @@ fn markdown_says_what_should_be_doubted() {
         "Files had changed since the commit",
         "none was not measured in hall; ratios there are to ball.",
         "The hall was generated with seed 1.",
-        "too slow: dropped after 500\u{a0}ms",
+        "too slow after 500\u{a0}ms",
         "at 1.00\u{a0}M triangles: a round would take more",
     ] {
         assert!(text.contains(sentence), "{sentence}");

@@ -58,7 +58,7 @@ fn bar(scale: HeatScale) -> Markup {
     let ends = (numbers::about(scale.low), numbers::about(scale.high));
     html! {
         div class="scroll" tabindex="0" {
-            svg class="bar" role="img" viewBox="0 0 900 58" width="900" height="58"
+            svg class="bar" role="img" shape-rendering="crispEdges" viewBox="0 0 900 58" width="900" height="58"
                 aria-label=(format!("Colour scale from {} to {}: {label}", ends.0, ends.1)) {
                 title { (label) }
                 @for stop in 0..STOPS {

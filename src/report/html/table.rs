@@ -4,6 +4,9 @@ use maud::{Markup, html};
 
 use crate::report::tables::{Cell, Column, Table};
 
+/// Characters up to which a text stays in one line.
+const SHORT: usize = 24;
+
 /// Draws a table; without lines, nothing.
 pub(super) fn table(table: &Table) -> Markup {
     html! {
@@ -43,8 +46,9 @@ fn row_class(grouped: bool, repeats: bool) -> Option<&'static str> {
 }
 
 fn cell_markup(cell: &Cell, column: &Column) -> Markup {
+    let is_short = cell.text.chars().count() <= SHORT;
     html! {
-        td class=[class(column)] {
+        td class=[class(column).or(is_short.then_some("short"))] {
             (cell.text)
             @if let Some(spread) = &cell.spread { span class="spread" { (spread) } }
         }

@@ -89,7 +89,7 @@ fn status(status: &Status) -> String {
         Status::Ok => "ok".to_owned(),
         Status::Failed { message } => format!("failed: {message}"),
         Status::TooSlow { after_seconds } => {
-            format!("too slow: dropped after {}", numbers::time(after_seconds * 1e9))
+            format!("too slow after {}", numbers::time(after_seconds * 1e9))
         }
         Status::Stopped => "stopped early".to_owned(),
     }
