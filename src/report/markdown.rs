@@ -27,7 +27,9 @@ pub fn write(comparison: &Comparison) -> String {
     if let Some(chapter) = &comparison.sampling {
         let default = escaped(&chapter.default);
         let _ = write!(text, "\n## Sampling\n\nThe default is {default}.\n");
-        tables::sampling_tables(chapter).iter().for_each(|table| add_table(table, &mut text));
+        tables::sampling_tables(chapter, &derived.operations)
+            .iter()
+            .for_each(|table| add_table(table, &mut text));
     }
     add_run(comparison, &mut text);
     text += "\n## Limits and bias\n\n";
@@ -63,7 +65,7 @@ fn add_scene(scene: &SceneRecord, figures: &SceneFigures, text: &mut String) {
     }
     add_table(&tables::ray_table(figures), text);
     add_table(&tables::structure_table(scene, figures), text);
-    add_table(&tables::picture_table(scene, figures), text);
+    add_table(&tables::picture_table(figures), text);
 }
 
 fn add_run(comparison: &Comparison, text: &mut String) {

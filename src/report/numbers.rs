@@ -53,7 +53,7 @@ fn grouped(number: &str) -> String {
     let start = usize::from(number.starts_with('-'));
     let mut text = String::with_capacity(number.len() + 4);
     for (i, c) in number.char_indices() {
-        if i > start && i < digits && (digits - i) % 3 == 0 && digits - start > 4 {
+        if i > start && i < digits && (digits - i).is_multiple_of(3) && digits - start > 4 {
             text.push('\u{202f}');
         }
         text.push(c);

@@ -178,7 +178,7 @@ fn sampling(page: &Page<'_>) -> Markup {
             section id="sampling" {
                 h2 { "Sampling" }
                 p { "What random numbers and shuffling cost, and what they bring. The default is " strong { (chapter.default) } "." }
-                @for own in tables::sampling_tables(chapter) { (table(&own)) }
+                @for own in tables::sampling_tables(chapter, &page.derived.operations) { (table(&own)) }
             }
         }
     }

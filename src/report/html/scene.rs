@@ -25,7 +25,7 @@ pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) 
             (plots([figures::speedups(page, own), figures::rates(page, own)]))
             (table(&tables::structure_table(scene, own)))
             (plots([figures::leaves(page, scene), figures::pareto(page, own)]))
-            (table(&tables::picture_table(scene, own)))
+            (table(&tables::picture_table(own)))
             (plots([figures::break_even(page, own), None]))
             (rounds(scene))
         }
