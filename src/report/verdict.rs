@@ -45,7 +45,7 @@ fn speed(scene: &SceneFigures) -> Option<String> {
     let speedup = figures.speedup?;
     let sure = numbers::spread(speedup).map_or_else(
         || "too few rounds for an interval".to_owned(),
-        |spread| format!("95\u{a0}% {spread}"),
+        |spread| format!("95\u{a0}%\u{a0}{spread}"),
     );
     Some(format!(
         "{} traces {} rays of {scene} {}\u{a0}× ({sure}) as fast as {base}",

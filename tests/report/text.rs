@@ -9,7 +9,7 @@ use crate::sample;
 fn the_verdict_is_one_plain_sentence() {
     assert_eq!(
         verdict(&sample::full()),
-        "bvh traces view rays of bunny 431\u{a0}× (95\u{a0}% 428–433) as fast as none; \
+        "bvh traces view rays of bunny 431\u{a0}× (95\u{a0}%\u{a0}428–433) as fast as none; \
          pictures equal bit for bit."
     );
     assert_eq!(
