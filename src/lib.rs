@@ -15,6 +15,7 @@ pub mod image_io;
 pub mod math;
 pub mod record;
 pub mod render;
+pub mod report;
 pub mod scene;
 pub mod scene_file;
 pub mod shapes;

@@ -3,14 +3,16 @@
 //! The `compare` layer fills a [`Comparison`] by measuring, the `report` layer turns it into
 //! bytes, and neither needs the other. Nothing here knows how rays are traced, what a structure is
 //! or how a page looks. What was measured is kept raw, round by round; everything that follows
-//! from it (medians, intervals, ratios, slopes) is computed by [`statistics`], so that every report
-//! prints the same figures.
+//! from it (medians, intervals, ratios, slopes) is computed by [`statistics`] and gathered in
+//! [`derived`], so that every report prints the same figures.
 //!
 //! Times are whole nanoseconds in fields that end in `_ns`, memory is bytes, hashes are
 //! hexadecimal. Pictures travel beside the record as files, which it names ([`PictureFile`]).
 
+pub mod baseline;
 mod class;
 mod comparison;
+pub mod derived;
 mod machine;
 mod proof;
 mod run;

@@ -95,7 +95,7 @@ pub(super) fn median_of(values: &mut [f64]) -> Option<f64> {
     if values.is_empty() {
         return None;
     }
-    let even = values.len() % 2 == 0;
+    let even = values.len().is_multiple_of(2);
     let (below, &mut upper, _) = values.select_nth_unstable_by(values.len() / 2, f64::total_cmp);
     if !even {
         return Some(upper);

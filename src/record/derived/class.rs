@@ -1,0 +1,114 @@
+//! Figures of a class of rays.
+
+use serde::Serialize;
+
+use crate::record::statistics::{Estimate, estimate, million_per_second, paired_ratio};
+use crate::record::{ClassRecord, RayClass, Round};
+
+/// What a class of rays took with a structure.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ClassFigures {
+    /// The class.
+    pub class: RayClass,
+    /// Rays in each round.
+    pub rays: u64,
+    /// The share of them that hit something, from 0 to 1.
+    pub hit_share: Option<f64>,
+    /// Box tests a ray.
+    pub boxes_per_ray: Option<f64>,
+    /// Primitive tests a ray.
+    pub primitives_per_ray: Option<f64>,
+    /// Wall time of a ray in nanoseconds.
+    pub ns_per_ray: Option<Estimate>,
+    /// Processor time of a ray in nanoseconds, all threads together.
+    pub cpu_ns_per_ray: Option<Estimate>,
+    /// Millions of rays a second.
+    pub million_rays_per_second: Option<Estimate>,
+    /// How many times as fast as the scene's base, ray for ray.
+    pub speedup: Option<Estimate>,
+}
+
+/// The figures of a class, with the same class of the base beside it.
+pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> ClassFigures {
+    let per_ray = |n: u64| quotient(n as f64, own.rays as f64);
+    let ns_per_ray = estimate(&wall_ns_per_ray(&own.rounds, own.rays));
+    ClassFigures {
+        class: own.class,
+        rays: own.rays,
+        hit_share: per_ray(own.hits),
+        boxes_per_ray: own.boxes.and_then(per_ray),
+        primitives_per_ray: own.primitives.and_then(per_ray),
+        ns_per_ray,
+        cpu_ns_per_ray: cpu_ns_per_ray(own),
+        million_rays_per_second: ns_per_ray.and_then(rate),
+        speedup: base.and_then(|base| speedup(base, own)),
+    }
+}
+
+/// Wall time of a ray in nanoseconds, for each round; empty if a round has no rays.
+pub(in crate::record) fn wall_ns_per_ray(rounds: &[Round], rays: u64) -> Vec<f64> {
+    if rays == 0 {
+        return Vec::new();
+    }
+    rounds.iter().map(|round| round.wall_ns as f64 / rays as f64).collect()
+}
+
+/// Millions of rays a second at a time for each ray.
+fn rate(ns_per_ray: Estimate) -> Option<Estimate> {
+    million_per_second(1, ns_per_ray.median)?;
+    Some(ns_per_ray.map(|ns| million_per_second(1, ns).unwrap_or(f64::MAX)))
+}
+
+fn speedup(base: &ClassRecord, own: &ClassRecord) -> Option<Estimate> {
+    let base = wall_ns_per_ray(&base.rounds, base.rays);
+    paired_ratio(&base, &wall_ns_per_ray(&own.rounds, own.rays))
+}
+
+/// The estimate of the processor's time, if every round has one.
+fn cpu_ns_per_ray(class: &ClassRecord) -> Option<Estimate> {
+    let per_ray = |round: &Round| quotient(round.cpu_ns? as f64, class.rays as f64);
+    let rounds: Option<Vec<f64>> = class.rounds.iter().map(per_ray).collect();
+    estimate(&rounds?)
+}
+
+/// `None` instead of infinity or NaN.
+pub(super) fn quotient(a: f64, b: f64) -> Option<f64> {
+    (b != 0.0).then(|| a / b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn class(rays: u64, wall_ns: &[u64]) -> ClassRecord {
+        ClassRecord {
+            class: RayClass::View,
+            rays,
+            hits: rays / 4,
+            boxes: Some(rays * 3),
+            primitives: None,
+            rounds: wall_ns.iter().map(|&wall_ns| Round { wall_ns, ..Round::default() }).collect(),
+        }
+    }
+
+    #[test]
+    fn figures_are_ray_for_ray() {
+        let base = class(100, &[40_000; 6]);
+        let own = class(1_000, &[100_000; 6]);
+        let figures = class_figures(&own, Some(&base));
+        assert_eq!(figures.ns_per_ray.unwrap().median, 100.0);
+        assert_eq!(figures.million_rays_per_second.unwrap().median, 10.0);
+        assert_eq!(figures.speedup.unwrap().median, 4.0);
+        assert_eq!((figures.hit_share, figures.boxes_per_ray), (Some(0.25), Some(3.0)));
+        assert_eq!((figures.primitives_per_ray, figures.cpu_ns_per_ray), (None, None));
+    }
+
+    #[test]
+    fn no_rays_and_no_rounds_have_no_figures() {
+        for nothing in [class(0, &[5; 6]), class(10, &[])] {
+            let figures = class_figures(&nothing, Some(&nothing));
+            assert_eq!((figures.ns_per_ray, figures.speedup), (None, None));
+            assert_eq!(figures.million_rays_per_second, None);
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Figures of a scene and of the structures over it.
+
+use serde::Serialize;
+
+use super::class::{ClassFigures, class_figures, quotient};
+use crate::record::statistics::{
+    BreakEven, Cost, Estimate, break_even, estimate, paired_ratio, pareto_front,
+};
+use crate::record::{PictureRound, RayClass, SceneRecord, StructureRecord};
+
+/// The classes of which a picture is made; only these count into a structure's mean ray.
+const PICTURE_CLASSES: [RayClass; 4] =
+    [RayClass::View, RayClass::Shadow, RayClass::Mirror, RayClass::Refraction];
+
+/// What all structures did with a scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SceneFigures {
+    /// The name of the scene.
+    pub scene: String,
+    /// The structure that ratios are taken to: the record's base, or where that was not measured
+    /// the first that was.
+    pub base: Option<String>,
+    /// The structures, in the record's order.
+    pub structures: Vec<StructureFigures>,
+}
+
+/// What a structure did with a scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StructureFigures {
+    /// The name of the structure.
+    pub structure: String,
+    /// Wall time of the build on one thread, in nanoseconds.
+    pub build_one_thread_ns: Option<Estimate>,
+    /// Wall time of the build on all threads, in nanoseconds.
+    pub build_all_threads_ns: Option<Estimate>,
+    /// Bytes of the index for each triangle of the scene.
+    pub bytes_per_triangle: Option<f64>,
+    /// References from leaves to primitives, for each primitive.
+    pub references_per_primitive: Option<f64>,
+    /// Wall time of build and rendering on all threads, in nanoseconds.
+    pub picture_ns: Option<Estimate>,
+    /// Wall time of the builds within these rounds, in nanoseconds.
+    pub picture_build_ns: Option<Estimate>,
+    /// Wall time of the renderings within these rounds, in nanoseconds.
+    pub picture_render_ns: Option<Estimate>,
+    /// How many times as fast as the base is with build and rendering.
+    pub picture_speedup: Option<Estimate>,
+    /// Wall time of the mean ray of the picture, in nanoseconds: medians of the classes view,
+    /// shadow, mirror and refraction, weighed by their rays.
+    pub mean_ray_ns: Option<f64>,
+    /// From how many of these rays on it is ahead of the base, builds on all threads included.
+    pub break_even: Option<BreakEven>,
+    /// Whether no other structure has both a cheaper build and a cheaper mean ray.
+    pub on_pareto_front: bool,
+    /// The classes of rays that were traced.
+    pub classes: Vec<ClassFigures>,
+}
+
+impl SceneFigures {
+    /// Computes the figures of a scene.
+    pub(super) fn of(scene: &SceneRecord, base: &str) -> Self {
+        let base = base_of(scene, base);
+        let mut structures: Vec<_> = scene
+            .structures
+            .iter()
+            .map(|structure| StructureFigures::of(structure, base, scene.triangles))
+            .collect();
+        compare_costs(&mut structures, base);
+        let base = base.map(|base| base.name.clone());
+        Self { scene: scene.name.clone(), base, structures }
+    }
+
+    /// The structure of a name.
+    #[must_use]
+    pub fn structure(&self, name: &str) -> Option<&StructureFigures> {
+        self.structures.iter().find(|structure| structure.structure == name)
+    }
+
+    /// The classes that any structure traced, in the order of reports.
+    #[must_use]
+    pub fn classes(&self) -> Vec<RayClass> {
+        let traced = |class: &RayClass| self.structures.iter().any(|s| s.class(*class).is_some());
+        RayClass::ALL.into_iter().filter(traced).collect()
+    }
+}
+
+impl StructureFigures {
+    fn of(own: &StructureRecord, base: Option<&StructureRecord>, triangles: u64) -> Self {
+        let base_class = |class| base.and_then(|base| base.class(class));
+        let classes: Vec<_> =
+            own.classes.iter().map(|class| class_figures(class, base_class(class.class))).collect();
+        let picture_rounds = picture_ns(own);
+        let shape = own.shape.as_ref();
+        Self {
+            structure: own.name.clone(),
+            build_one_thread_ns: estimate(&floats(&own.build.one_thread_ns)),
+            build_all_threads_ns: estimate(&floats(&own.build.all_threads_ns)),
+            bytes_per_triangle: own
+                .memory
+                .as_ref()
+                .and_then(|memory| quotient(memory.index_bytes as f64, triangles as f64)),
+            references_per_primitive: shape
+                .and_then(|shape| quotient(shape.references as f64, shape.primitives as f64)),
+            picture_build_ns: estimate(&picture_part(own, |round| round.build_ns)),
+            picture_render_ns: estimate(&picture_part(own, |round| round.render_ns)),
+            picture_ns: estimate(&picture_rounds),
+            picture_speedup: base.and_then(|base| paired_ratio(&picture_ns(base), &picture_rounds)),
+            mean_ray_ns: mean_ray_ns(&classes),
+            break_even: None,
+            on_pareto_front: false,
+            classes,
+        }
+    }
+
+    /// A class of rays.
+    #[must_use]
+    pub fn class(&self, class: RayClass) -> Option<&ClassFigures> {
+        self.classes.iter().find(|figures| figures.class == class)
+    }
+
+    /// Build and mean ray, if both are known.
+    #[must_use]
+    pub fn cost(&self) -> Option<Cost> {
+        let build_ns = self.build_all_threads_ns.or(self.build_one_thread_ns)?.median;
+        Some(Cost { build_ns, ray_ns: self.mean_ray_ns? })
+    }
+}
+
+/// The structure of the name, or the first one, that traced any rays.
+fn base_of<'a>(scene: &'a SceneRecord, name: &str) -> Option<&'a StructureRecord> {
+    let traced = |structure: &&StructureRecord| {
+        structure.classes.iter().any(|class| !class.rounds.is_empty())
+    };
+    let first = || scene.structures.iter().find(traced);
+    scene.structure(name).filter(traced).or_else(first)
+}
+
+/// Fills in what needs all structures: break-even points and the Pareto front.
+fn compare_costs(structures: &mut [StructureFigures], base: Option<&StructureRecord>) {
+    let costs: Vec<Option<Cost>> = structures.iter().map(StructureFigures::cost).collect();
+    let points: Vec<(f64, f64)> = costs
+        .iter()
+        .map(|cost| cost.map_or((f64::NAN, f64::NAN), |cost| (cost.build_ns, cost.ray_ns)))
+        .collect();
+    for i in pareto_front(&points) {
+        structures[i].on_pareto_front = true;
+    }
+    let Some(base) = base.and_then(|base| structures.iter().position(|s| s.structure == base.name))
+    else {
+        return;
+    };
+    for (i, structure) in structures.iter_mut().enumerate().filter(|&(i, _)| i != base) {
+        structure.break_even = costs[i].zip(costs[base]).map(|(own, base)| break_even(own, base));
+    }
+}
+
+/// The mean over the picture's rays of their classes' medians; `None` if one is missing.
+fn mean_ray_ns(classes: &[ClassFigures]) -> Option<f64> {
+    let (mut ns, mut rays) = (0.0, 0.0);
+    for class in classes.iter().filter(|c| c.rays > 0 && PICTURE_CLASSES.contains(&c.class)) {
+        ns += class.ns_per_ray?.median * class.rays as f64;
+        rays += class.rays as f64;
+    }
+    quotient(ns, rays)
+}
+
+/// Build and rendering of each round, in nanoseconds.
+fn picture_ns(structure: &StructureRecord) -> Vec<f64> {
+    picture_part(structure, |round| round.build_ns + round.render_ns)
+}
+
+/// Something of each round, in nanoseconds.
+fn picture_part(structure: &StructureRecord, part: fn(&PictureRound) -> u64) -> Vec<f64> {
+    structure.picture_rounds.iter().map(|round| part(round) as f64).collect()
+}
+
+fn floats(values: &[u64]) -> Vec<f64> {
+    values.iter().map(|&value| value as f64).collect()
+}

@@ -1,0 +1,87 @@
+//! Figures of a sweep: curves of cost against size, and their slopes.
+
+use serde::Serialize;
+
+use super::class::wall_ns_per_ray;
+use crate::record::statistics::{Estimate, PowerLaw, estimate, log_log_fit};
+use crate::record::{RayClass, Sweep, SweepPoint};
+
+/// How cost grows over a family of meshes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SweepFigures {
+    /// The family.
+    pub mesh: String,
+    /// One curve for each structure and class, in the order of their first points.
+    pub curves: Vec<SweepCurve>,
+}
+
+/// A structure and a class of rays at growing sizes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SweepCurve {
+    /// The structure.
+    pub structure: String,
+    /// The class of rays.
+    pub class: RayClass,
+    /// The measurements, by growing size.
+    pub values: Vec<SweepValue>,
+    /// The power law through the medians of nanoseconds a ray against triangles.
+    pub fit: Option<PowerLaw>,
+}
+
+/// A point of a curve.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SweepValue {
+    /// Triangles in the mesh.
+    pub triangles: u64,
+    /// Wall time of a ray in nanoseconds.
+    pub ns_per_ray: Estimate,
+}
+
+impl SweepFigures {
+    /// Computes the curves of a sweep. Points without rounds are left out.
+    pub(super) fn of(sweep: &Sweep) -> Self {
+        let mut curves: Vec<SweepCurve> = Vec::new();
+        for point in &sweep.points {
+            let Some(value) = value(point) else { continue };
+            let same = |c: &SweepCurve| c.structure == point.structure && c.class == point.class;
+            if let Some(curve) = curves.iter_mut().find(|curve| same(curve)) {
+                curve.values.push(value);
+            } else {
+                curves.push(SweepCurve {
+                    structure: point.structure.clone(),
+                    class: point.class,
+                    values: vec![value],
+                    fit: None,
+                });
+            }
+        }
+        for curve in &mut curves {
+            curve.values.sort_by_key(|value| value.triangles);
+            curve.fit = fit(&curve.values);
+        }
+        Self { mesh: sweep.mesh.clone(), curves }
+    }
+
+    /// The curve of a structure and class.
+    #[must_use]
+    pub fn curve(&self, structure: &str, class: RayClass) -> Option<&SweepCurve> {
+        self.curves.iter().find(|curve| curve.structure == structure && curve.class == class)
+    }
+
+    /// The classes that were traced, in the order of reports.
+    #[must_use]
+    pub fn classes(&self) -> Vec<RayClass> {
+        let traced = |class: &RayClass| self.curves.iter().any(|curve| curve.class == *class);
+        RayClass::ALL.into_iter().filter(traced).collect()
+    }
+}
+
+fn value(point: &SweepPoint) -> Option<SweepValue> {
+    let ns_per_ray = estimate(&wall_ns_per_ray(&point.rounds, point.rays))?;
+    Some(SweepValue { triangles: point.triangles, ns_per_ray })
+}
+
+fn fit(values: &[SweepValue]) -> Option<PowerLaw> {
+    let point = |value: &SweepValue| (value.triangles as f64, value.ns_per_ray.median);
+    log_log_fit(&values.iter().map(point).collect::<Vec<_>>())
+}

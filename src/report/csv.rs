@@ -1,0 +1,161 @@
+//! Record → CSV: a line for each scene, structure and class of rays, with every figure there is.
+//!
+//! By RFC 4180, with a heading line. A structure that traced nothing has one line with an empty
+//! class, so that it is not missing.
+
+use super::numbers::exact;
+use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures};
+use crate::record::statistics::Estimate;
+use crate::record::{Comparison, Memory, SceneRecord, Status, StructureRecord};
+
+const HEADS: [&str; 29] = [
+    "scene",
+    "triangles",
+    "structure",
+    "status",
+    "class",
+    "rays",
+    "hit_share",
+    "boxes_per_ray",
+    "primitives_per_ray",
+    "rounds",
+    "ns_per_ray",
+    "ns_per_ray_low",
+    "ns_per_ray_high",
+    "cpu_ns_per_ray",
+    "million_rays_per_second",
+    "million_rays_per_second_low",
+    "million_rays_per_second_high",
+    "base",
+    "speedup",
+    "speedup_low",
+    "speedup_high",
+    "build_one_thread_ns",
+    "build_all_threads_ns",
+    "index_bytes",
+    "bytes_per_triangle",
+    "picture_ns",
+    "picture_ns_low",
+    "picture_ns_high",
+    "picture_rounds",
+];
+
+/// Writes the table. Numbers read back as they are in the JSON's `derived`.
+#[must_use]
+pub fn write(comparison: &Comparison) -> String {
+    let derived = Derived::of(comparison);
+    let mut text = line(HEADS.map(str::to_owned));
+    for (scene, figures) in comparison.scenes.iter().zip(&derived.scenes) {
+        for (structure, own) in scene.structures.iter().zip(&figures.structures) {
+            if own.classes.is_empty() {
+                text += &line(row(scene, figures, structure, own, None));
+            }
+            for class in &own.classes {
+                text += &line(row(scene, figures, structure, own, Some(class)));
+            }
+        }
+    }
+    text
+}
+
+fn row(
+    scene: &SceneRecord,
+    figures: &SceneFigures,
+    record: &StructureRecord,
+    own: &StructureFigures,
+    class: Option<&ClassFigures>,
+) -> [String; 29] {
+    let ns = class.and_then(|class| class.ns_per_ray);
+    let rate = parts(class.and_then(|class| class.million_rays_per_second));
+    let speedup = parts(class.and_then(|class| class.speedup));
+    let [ns_median, ns_low, ns_high] = parts(ns);
+    let [rate, rate_low, rate_high] = rate;
+    let [speedup, speedup_low, speedup_high] = speedup;
+    let [picture, picture_low, picture_high] = parts(own.picture_ns);
+    [
+        scene.name.clone(),
+        scene.triangles.to_string(),
+        record.name.clone(),
+        status(&record.status).to_owned(),
+        class.map_or_else(String::new, |class| class.class.name().to_owned()),
+        whole(class.map(|class| class.rays)),
+        number(class.and_then(|class| class.hit_share)),
+        number(class.and_then(|class| class.boxes_per_ray)),
+        number(class.and_then(|class| class.primitives_per_ray)),
+        whole(ns.map(|estimate| estimate.rounds as u64)),
+        ns_median,
+        ns_low,
+        ns_high,
+        median(class.and_then(|class| class.cpu_ns_per_ray)),
+        rate,
+        rate_low,
+        rate_high,
+        figures.base.clone().unwrap_or_default(),
+        speedup,
+        speedup_low,
+        speedup_high,
+        median(own.build_one_thread_ns),
+        median(own.build_all_threads_ns),
+        whole(record.memory.as_ref().map(|memory: &Memory| memory.index_bytes)),
+        number(own.bytes_per_triangle),
+        picture,
+        picture_low,
+        picture_high,
+        whole(own.picture_ns.map(|estimate| estimate.rounds as u64)),
+    ]
+}
+
+/// A status in one word, as in the JSON.
+fn status(status: &Status) -> &'static str {
+    match status {
+        Status::Ok => "ok",
+        Status::Failed { .. } => "failed",
+        Status::TooSlow { .. } => "too_slow",
+        Status::Stopped => "stopped",
+    }
+}
+
+/// Median, low and high.
+fn parts(estimate: Option<Estimate>) -> [String; 3] {
+    let interval = estimate.and_then(|estimate| estimate.interval);
+    [
+        median(estimate),
+        number(interval.map(|interval| interval.low)),
+        number(interval.map(|interval| interval.high)),
+    ]
+}
+
+fn median(estimate: Option<Estimate>) -> String {
+    number(estimate.map(|estimate| estimate.median))
+}
+
+fn number(value: Option<f64>) -> String {
+    value.map_or_else(String::new, exact)
+}
+
+fn whole(value: Option<u64>) -> String {
+    value.map_or_else(String::new, |n| n.to_string())
+}
+
+/// Fields in a line; those with a comma, a quote or a line end are quoted.
+fn line<const N: usize>(fields: [String; N]) -> String {
+    let quoted = |field: String| {
+        if field.contains([',', '"', '\n', '\r']) {
+            format!("\"{}\"", field.replace('"', "\"\""))
+        } else {
+            field
+        }
+    };
+    fields.map(quoted).join(",") + "\r\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fields_that_need_quotes_get_them() {
+        let fields = ["a", "b,c", "d \"e\"", ""].map(str::to_owned);
+        assert_eq!(line(fields), "a,\"b,c\",\"d \"\"e\"\"\",\r\n");
+    }
+}

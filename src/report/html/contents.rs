@@ -1,0 +1,24 @@
+//! The list of the page's chapters.
+
+use maud::{Markup, html};
+
+use super::Page;
+
+/// Links to all sections.
+pub(super) fn contents(page: &Page<'_>) -> Markup {
+    let comparison = page.comparison;
+    html! {
+        nav aria-label="Contents" {
+            a href="#proof" { "Proof" }
+            a href="#run" { "How it was measured" }
+            @for (i, scene) in comparison.scenes.iter().enumerate() {
+                a href=(format!("#scene-{i}")) { (scene.name) }
+            }
+            @for (i, sweep) in comparison.sweeps.iter().enumerate() {
+                a href=(format!("#growth-{i}")) { "Growth: " (sweep.mesh) }
+            }
+            @if comparison.sampling.is_some() { a href="#sampling" { "Sampling" } }
+            a href="#limits" { "Limits and bias" }
+        }
+    }
+}

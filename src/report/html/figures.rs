@@ -1,0 +1,197 @@
+//! Which plot shows what: from figures to drawings.
+
+use maud::Markup;
+
+use super::Page;
+use crate::record::derived::{
+    ClassFigures, SceneFigures, StructureFigures, SweepCurve, SweepFigures,
+};
+use crate::record::statistics::{BreakEven, Cost, Estimate};
+use crate::record::{RayClass, SceneRecord};
+use crate::report::numbers::{COUNT, TIME};
+use crate::report::plot::{Bars, Dot, Ends, Group, XyPlot, XySeries, dot_plot, histogram};
+
+/// How many times as fast as the base each structure is, by class.
+pub(super) fn speedups(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
+    let base = scene.base.as_deref()?;
+    let groups =
+        groups(
+            page,
+            scene,
+            |structure, class| {
+                if structure.structure == base { None } else { class.speedup }
+            },
+        );
+    let title = format!("{}: speed-up over {base}", scene.scene);
+    let label = format!("times as fast as {base}, ray for ray, with 95 % intervals (logarithmic)");
+    dot_plot(&title, &label, "\u{a0}×", Some(1.0), &groups)
+}
+
+/// Millions of rays a second of each structure, by class.
+pub(super) fn rates(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
+    let groups = groups(page, scene, |_, class| class.million_rays_per_second);
+    let title = format!("{}: million rays a second", scene.scene);
+    let label = "million rays a second, with 95 % intervals (logarithmic)";
+    dot_plot(&title, label, "", None, &groups)
+}
+
+fn groups(
+    page: &Page<'_>,
+    scene: &SceneFigures,
+    value: impl Fn(&StructureFigures, &ClassFigures) -> Option<Estimate>,
+) -> Vec<Group> {
+    let dot = |structure: &StructureFigures, class: RayClass| {
+        Some(Dot {
+            series: page.series(&structure.structure),
+            name: structure.structure.clone(),
+            value: value(structure, structure.class(class)?)?,
+        })
+    };
+    let group = |class: RayClass| Group {
+        name: format!("{} rays", class.name()),
+        dots: scene.structures.iter().filter_map(|s| dot(s, class)).collect(),
+    };
+    scene.classes().into_iter().map(group).collect()
+}
+
+/// Build against the mean ray, with the Pareto front.
+pub(super) fn pareto(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
+    let with_cost = || scene.structures.iter().filter_map(|s| Some((s, s.cost()?)));
+    let place = |cost: Cost| (cost.build_ns, cost.ray_ns);
+    let series = with_cost().map(|(structure, cost)| {
+        let front = if structure.on_pareto_front { " (front)" } else { "" };
+        points(
+            page,
+            &structure.structure,
+            format!("{}{front}", structure.structure),
+            vec![place(cost)],
+        )
+    });
+    let mut front: Vec<(f64, f64)> =
+        with_cost().filter(|(s, _)| s.on_pareto_front).map(|(_, cost)| place(cost)).collect();
+    front.sort_by(|a, b| a.0.total_cmp(&b.0));
+    XyPlot {
+        title: format!("{}: build against trace", scene.scene),
+        meaning: "Each structure's build time and the time of the picture's mean ray; less is \
+                  better in both. The dotted line joins those that no other beats."
+            .to_owned(),
+        x: Ends { label: "build, all threads (logarithmic)", units: TIME },
+        y: Ends { label: "mean ray of the picture (logarithmic)", units: TIME },
+        series: series.collect(),
+        path: stairs(&front),
+        rings: Vec::new(),
+    }
+    .draw()
+}
+
+/// The corners of stairs through points, each step first to the right, then down.
+fn stairs(front: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut corners: Vec<(f64, f64)> = Vec::new();
+    for &(x, y) in front {
+        if let Some(&(_, last)) = corners.last() {
+            corners.push((x, last));
+        }
+        corners.push((x, y));
+    }
+    corners
+}
+
+/// Build and rays together against the number of rays; rings where a dearer build has paid.
+pub(super) fn break_even(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
+    let costs: Vec<_> = scene.structures.iter().filter_map(|s| Some((s, s.cost()?))).collect();
+    let base = costs.iter().find(|(s, _)| Some(&s.structure) == scene.base.as_ref())?.1;
+    let meetings: Vec<f64> = costs.iter().filter_map(|(s, _)| rays_of(s.break_even?)).collect();
+    let (first, last) =
+        meetings.iter().fold((1e3_f64, 1e6_f64), |(a, b), &n| (a.min(n / 10.0), b.max(n * 10.0)));
+    let total = |cost: Cost, n: f64| cost.build_ns + n * cost.ray_ns;
+    let line = |cost: Cost| {
+        let step = (last / first).powf(1.0 / 60.0);
+        let at = |i: i32| first * step.powi(i);
+        (0..=60).map(|i| (at(i), total(cost, at(i)))).collect()
+    };
+    let series = costs.iter().map(|(structure, cost)| XySeries {
+        series: page.series(&structure.structure),
+        name: structure.structure.clone(),
+        // A marker at the end, so that colour alone does not tell the lines apart.
+        points: vec![(last, total(*cost, last))],
+        intervals: vec![None],
+        line: line(*cost),
+        dashed: false,
+    });
+    XyPlot {
+        title: format!("{}: when a dearer build pays", scene.scene),
+        meaning: "Build and rays together against the number of the picture's mean rays. Rings \
+                  are where a structure meets the base."
+            .to_owned(),
+        x: Ends { label: "rays (logarithmic)", units: COUNT },
+        y: Ends { label: "build and rays together (logarithmic)", units: TIME },
+        series: series.collect(),
+        path: Vec::new(),
+        rings: meetings.iter().map(|&n| (n, total(base, n))).collect(),
+    }
+    .draw()
+}
+
+fn rays_of(when: BreakEven) -> Option<f64> {
+    match when {
+        BreakEven::After { rays } | BreakEven::Until { rays } => Some(rays),
+        BreakEven::Always | BreakEven::Never => None,
+    }
+}
+
+/// Time of a ray against triangles, with fitted power laws.
+pub(super) fn growth(page: &Page<'_>, sweep: &SweepFigures, class: RayClass) -> Option<Markup> {
+    let curves = sweep.curves.iter().filter(|curve| curve.class == class);
+    XyPlot {
+        title: format!("{}: {} rays against triangles", sweep.mesh, class.name()),
+        meaning: "Time of a ray against the number of triangles; dashed lines are power laws."
+            .to_owned(),
+        x: Ends { label: "triangles (logarithmic)", units: COUNT },
+        y: Ends { label: "time of a ray (logarithmic)", units: TIME },
+        series: curves.map(|curve| curve_series(page, curve)).collect(),
+        path: Vec::new(),
+        rings: Vec::new(),
+    }
+    .draw()
+}
+
+fn curve_series(page: &Page<'_>, curve: &SweepCurve) -> XySeries {
+    let sizes = || curve.values.iter().map(|value| value.triangles as f64);
+    let ns = || curve.values.iter().map(|value| value.ns_per_ray);
+    let slope = curve.fit.map(|fit| format!(", slope {:.2}", fit.slope)).unwrap_or_default();
+    XySeries {
+        series: page.series(&curve.structure),
+        name: format!("{}{slope}", curve.structure),
+        points: sizes().zip(ns().map(|estimate| estimate.median)).collect(),
+        intervals: ns().map(|estimate| estimate.interval.map(|i| (i.low, i.high))).collect(),
+        line: curve.fit.map_or_else(Vec::new, |fit| sizes().map(|n| (n, fit.at(n))).collect()),
+        dashed: true,
+    }
+}
+
+fn points(page: &Page<'_>, structure: &str, name: String, points: Vec<(f64, f64)>) -> XySeries {
+    XySeries {
+        series: page.series(structure),
+        name,
+        intervals: vec![None; points.len()],
+        points,
+        line: Vec::new(),
+        dashed: false,
+    }
+}
+
+/// Leaves by size, of those structures that have more than one.
+pub(super) fn leaves(page: &Page<'_>, scene: &SceneRecord) -> Option<Markup> {
+    let bars: Vec<Bars> = scene
+        .structures
+        .iter()
+        .filter_map(|structure| Some((structure, structure.shape.as_ref()?)))
+        .filter(|(_, shape)| shape.leaves > 1)
+        .map(|(structure, shape)| Bars {
+            series: page.series(&structure.name),
+            name: structure.name.clone(),
+            counts: shape.leaf_sizes.clone(),
+        })
+        .collect();
+    histogram(&format!("{}: share of leaves by size", scene.name), &bars)
+}

@@ -1,0 +1,194 @@
+//! Record → one HTML file that needs nothing else.
+//!
+//! No script, no font, no link to anywhere: pictures are embedded, plots are inline SVG, and the
+//! page forbids itself to load anything. It reads on paper, in light and dark, and on a phone.
+
+mod contents;
+mod figures;
+mod pictures;
+mod scene;
+mod table;
+
+use std::collections::BTreeMap;
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::limits::limits;
+use super::tables;
+use super::verdict::verdict_of;
+use crate::record::derived::Derived;
+use crate::record::{Comparison, Sweep};
+use table::table;
+
+/// The bytes of the picture files that a record names, by these names.
+pub type Pictures = BTreeMap<String, Vec<u8>>;
+
+const STYLE: &str = include_str!("style.css");
+const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'";
+
+/// What every part of the page is made from.
+struct Page<'a> {
+    comparison: &'a Comparison,
+    derived: Derived,
+    pictures: &'a Pictures,
+    /// The names of all structures; the place of a name is the number of its marker and colour.
+    structures: Vec<&'a str>,
+}
+
+/// Writes the page. Of a picture that is not among `pictures` it says that it is missing.
+#[must_use]
+pub fn write(comparison: &Comparison, pictures: &Pictures) -> String {
+    let derived = Derived::of(comparison);
+    let structures = structures(comparison);
+    let page = Page { comparison, derived, pictures, structures };
+    document(&page).into_string()
+}
+
+/// All structures, by first appearance.
+fn structures(comparison: &Comparison) -> Vec<&str> {
+    let scenes = comparison.scenes.iter().flat_map(|scene| &scene.structures);
+    let points = comparison.sweeps.iter().flat_map(|sweep: &Sweep| &sweep.points);
+    let mut names: Vec<&str> = Vec::new();
+    let all = scenes.map(|s| s.name.as_str()).chain(points.map(|p| p.structure.as_str()));
+    for name in all {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+impl Page<'_> {
+    /// The number of a structure, for its marker and colour.
+    fn series(&self, structure: &str) -> usize {
+        self.structures.iter().position(|name| *name == structure).unwrap_or_default()
+    }
+}
+
+fn document(page: &Page<'_>) -> Markup {
+    let names: Vec<&str> = page.comparison.scenes.iter().map(|scene| scene.name.as_str()).collect();
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                meta name="generator" content=(format!("srt {}", page.comparison.run.version));
+                link rel="icon" href="data:,";
+                title { "srt compares " (names.join(", ")) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                header { (head(page)) }
+                (contents::contents(page))
+                main {
+                    (proof(page))
+                    (run(page))
+                    @for (scene, figures) in page.comparison.scenes.iter().zip(&page.derived.scenes) {
+                        (scene::section(page, scene, figures))
+                    }
+                    (growth(page))
+                    (sampling(page))
+                    (bias(page))
+                }
+                footer {
+                    "Made by srt " (page.comparison.run.version) " from a record of schema version "
+                    (page.comparison.schema_version) ". The same numbers are in the JSON, CSV and Markdown beside this page."
+                }
+            }
+        }
+    }
+}
+
+fn head(page: &Page<'_>) -> Markup {
+    let run = &page.comparison.run;
+    html! {
+        p class="kicker" { "srt compares acceleration structures" }
+        // An interval stays in one line.
+        h1 { (verdict_of(page.comparison, &page.derived).replace('–', "\u{2060}–\u{2060}")) }
+        p class="byline" {
+            @if run.date.is_empty() { "No date" } @else { time datetime=(run.date) { (run.date) } }
+            @if !run.machine.cpu.is_empty() { " · " (run.machine.cpu) }
+            @if let Some(commit) = &run.commit { " · commit " code { (commit) } }
+        }
+        @if run.partial {
+            p class="warning" { strong { "Partial." } " The comparison was stopped before its plan was done; what follows is what was measured until then." }
+        }
+    }
+}
+
+fn proof(page: &Page<'_>) -> Markup {
+    let scenes = page.comparison.scenes.iter().filter_map(|s| Some((s, s.proof.as_ref()?)));
+    html! {
+        section id="proof" {
+            h2 { "Proof" }
+            p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit." }
+            @for (scene, proof) in scenes {
+                @let mut own = tables::proof_table(proof);
+                @let () = own.title.clone_from(&scene.name);
+                (table(&own))
+                @if let Some(picture) = &scene.picture { p class="hash" { "Pixels of the reference: SHA-256 " code { (picture.hash) } } }
+                @for entry in &proof.structures {
+                    @if let Some(difference) = &entry.first_difference {
+                        p class="warning" { strong { (entry.structure) " differs. " } "First: " (difference) }
+                    }
+                }
+            }
+            @for scene in page.comparison.scenes.iter().filter(|scene| scene.proof.is_none()) {
+                p class="warning" { "For " strong { (scene.name) } " there is no proof: its pictures were not compared." }
+            }
+        }
+    }
+}
+
+fn run(page: &Page<'_>) -> Markup {
+    html! {
+        section id="run" {
+            h2 { "How it was measured" }
+            pre class="command" tabindex="0" { code { (page.comparison.run.command) } }
+            dl class="facts" {
+                @for (name, value) in tables::facts(page.comparison) {
+                    div { dt { (name) } dd { (value) } }
+                }
+            }
+        }
+    }
+}
+
+fn growth(page: &Page<'_>) -> Markup {
+    html! {
+        @for (i, (sweep, figures)) in page.comparison.sweeps.iter().zip(&page.derived.sweeps).enumerate() {
+            section id=(format!("growth-{i}")) {
+                h2 { "Growth: " (sweep.mesh) }
+                p { "The same family of meshes at growing sizes. Dashed lines are power laws fitted to the medians; their exponents stand beside the names." }
+                @for class in figures.classes() {
+                    @if let Some(plot) = figures::growth(page, figures, class) { (plot) }
+                }
+                @for own in tables::growth_tables(sweep, figures) { (table(&own)) }
+            }
+        }
+    }
+}
+
+fn sampling(page: &Page<'_>) -> Markup {
+    html! {
+        @if let Some(chapter) = &page.comparison.sampling {
+            section id="sampling" {
+                h2 { "Sampling" }
+                p { "What random numbers and shuffling cost, and what they bring. The default is " strong { (chapter.default) } "." }
+                @for own in tables::sampling_tables(chapter, &page.derived.operations) { (table(&own)) }
+            }
+        }
+    }
+}
+
+fn bias(page: &Page<'_>) -> Markup {
+    html! {
+        section id="limits" {
+            h2 { "Limits and bias" }
+            ul { @for limit in limits(page.comparison, &page.derived) { li { (limit) } } }
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! The chapter of a scene.
+
+use maud::{Markup, html};
+
+use super::table::{bare, table};
+use super::{Page, figures, pictures};
+use crate::record::SceneRecord;
+use crate::record::derived::SceneFigures;
+use crate::report::{numbers, tables};
+
+/// Pictures, tables, plots and raw rounds of a scene.
+pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) -> Markup {
+    let number =
+        page.comparison.scenes.iter().position(|s| std::ptr::eq(s, scene)).unwrap_or_default();
+    html! {
+        section id=(format!("scene-{number}")) {
+            h2 { (scene.name) }
+            p {
+                (numbers::things(scene.objects, "object")) ", " (numbers::things(scene.triangles, "triangle")) ", "
+                (numbers::things(scene.lights, "light")) ", from " code { (scene.path) } "."
+            }
+            p class="hash" { "Scene: SHA-256 " code { (scene.hash) } }
+            (pictures::strip(page, scene))
+            (table(&tables::ray_table(own)))
+            (plots([figures::speedups(page, own), figures::rates(page, own)]))
+            (table(&tables::structure_table(scene, own)))
+            (plots([figures::leaves(page, scene), figures::pareto(page, own)]))
+            (table(&tables::picture_table(own)))
+            (plots([figures::break_even(page, own), None]))
+            (rounds(scene))
+        }
+    }
+}
+
+fn plots(plots: [Option<Markup>; 2]) -> Markup {
+    html! { @for plot in plots.into_iter().flatten() { (plot) } }
+}
+
+fn rounds(scene: &SceneRecord) -> Markup {
+    let all = tables::round_table(scene);
+    html! {
+        @if !all.rows.is_empty() {
+            details {
+                summary { (all.title) " of " (scene.name) }
+                div class="rounds" { (bare(&all)) }
+            }
+        }
+    }
+}

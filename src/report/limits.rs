@@ -1,0 +1,93 @@
+//! What a report does not show, and what should be doubted: sentences for every form of report.
+
+use crate::record::Comparison;
+use crate::record::derived::{ClassFigures, Derived};
+
+/// How times were taken and what that means, whatever was measured.
+const ALWAYS: [&str; 6] = [
+    "The times are those of this machine on this day. Ratios between structures carry over to other \
+     machines better than times do, but not exactly.",
+    "Rays were recorded once for each class and replayed to every structure in interleaved rounds, \
+     so ratios leave out what slows all alike. A replay traces only: it neither shades nor makes \
+     new rays, and its caches are warm.",
+    "Intervals are 95 % bootstrap intervals of the median. They show the noise of this run, not \
+     what another build, memory layout or machine would change.",
+    "Every structure here answers equal hits bit for bit, by one formula and one rule for ties. \
+     That costs each of them some speed, and not each the same.",
+    "Break-even points hold for rays like the picture's mean ray; a scene with other views or \
+     lights has others.",
+    "The structures were written or adapted by the authors of this program, who may know some of \
+     them better than others.",
+];
+
+/// General limits first, then what is particular to this record.
+pub(super) fn limits(comparison: &Comparison, derived: &Derived) -> Vec<String> {
+    let mut limits: Vec<String> = ALWAYS.map(str::to_owned).to_vec();
+    limits.extend(machine_limits(comparison));
+    limits.extend(base_limits(comparison, derived));
+    limits.extend(round_limits(comparison, derived));
+    limits.extend(comparison.notes.iter().cloned());
+    limits
+}
+
+fn machine_limits(comparison: &Comparison) -> Vec<String> {
+    let run = &comparison.run;
+    let machine = &run.machine;
+    let mut limits = Vec::new();
+    if run.partial {
+        limits.push("The comparison was stopped before its plan was done.".to_owned());
+    }
+    match machine.governor.as_deref() {
+        None => limits.push("How the system chose the clock is not known.".to_owned()),
+        Some("performance") => {}
+        Some(other) => limits.push(format!(
+            "The governor was {other}, not performance: the clock may have changed between rounds."
+        )),
+    }
+    if let Some([load, ..]) = machine.load_at_start.filter(|load| load[0] > 0.5) {
+        limits.push(format!("The machine was busy at the start: its load was {load:.2}."));
+    }
+    if run.commit.as_deref().is_some_and(|commit| commit.ends_with("-dirty")) {
+        limits.push("Files had changed since the commit that is named.".to_owned());
+    }
+    limits
+}
+
+fn base_limits(comparison: &Comparison, derived: &Derived) -> Vec<String> {
+    let other = |scene: &crate::record::derived::SceneFigures| {
+        let base = scene.base.as_deref().filter(|base| *base != comparison.base)?;
+        Some(format!(
+            "{} was not measured in {}; ratios there are to {base}.",
+            comparison.base, scene.scene
+        ))
+    };
+    derived.scenes.iter().filter_map(other).collect()
+}
+
+/// Measurements with too few rounds, or with wide intervals.
+fn round_limits(comparison: &Comparison, derived: &Derived) -> Vec<String> {
+    let classes: Vec<&ClassFigures> = derived
+        .scenes
+        .iter()
+        .flat_map(|scene| &scene.structures)
+        .flat_map(|structure| &structure.classes)
+        .collect();
+    let goal = comparison.run.rounds.relative_interval;
+    let width = |class: &&&ClassFigures| class.ns_per_ray.and_then(|e| e.relative_half_width());
+    let without = classes.iter().filter(|class| width(class).is_none()).count();
+    let wide = classes.iter().filter(|class| width(class).is_some_and(|w| w > goal)).count();
+    let mut limits = Vec::new();
+    if without > 0 {
+        limits.push(format!(
+            "{without} of {} measurements of rays have too few rounds for an interval.",
+            classes.len()
+        ));
+    }
+    if wide > 0 {
+        limits.push(format!(
+            "{wide} of {} measurements of rays have an interval wider than was aimed at.",
+            classes.len()
+        ));
+    }
+    limits
+}

@@ -1,0 +1,120 @@
+//! Record → Markdown: verdict, proof, tables, for places where a page of HTML cannot go.
+
+use std::fmt::Write;
+
+use super::limits::limits;
+use super::numbers;
+use super::tables::{self, Cell, Table};
+use super::verdict::verdict_of;
+use crate::record::derived::{Derived, SceneFigures};
+use crate::record::{Comparison, SceneRecord};
+
+/// Writes the report. Pictures are linked as the files that the record names.
+#[must_use]
+pub fn write(comparison: &Comparison) -> String {
+    let derived = Derived::of(comparison);
+    let mut text = format!("# srt compares\n\n{}\n", escaped(&verdict_of(comparison, &derived)));
+    if comparison.run.partial {
+        text += "\n**Partial: the comparison was stopped before its plan was done.**\n";
+    }
+    for (scene, figures) in comparison.scenes.iter().zip(&derived.scenes) {
+        add_scene(scene, figures, &mut text);
+    }
+    for (sweep, figures) in comparison.sweeps.iter().zip(&derived.sweeps) {
+        let _ = write!(text, "\n## Growth: {}\n", escaped(&sweep.mesh));
+        tables::growth_tables(sweep, figures).iter().for_each(|table| add_table(table, &mut text));
+    }
+    if let Some(chapter) = &comparison.sampling {
+        let default = escaped(&chapter.default);
+        let _ = write!(text, "\n## Sampling\n\nThe default is {default}.\n");
+        tables::sampling_tables(chapter, &derived.operations)
+            .iter()
+            .for_each(|table| add_table(table, &mut text));
+    }
+    add_run(comparison, &mut text);
+    text += "\n## Limits and bias\n\n";
+    for limit in limits(comparison, &derived) {
+        let _ = writeln!(text, "* {}", escaped(&limit));
+    }
+    text
+}
+
+fn add_scene(scene: &SceneRecord, figures: &SceneFigures, text: &mut String) {
+    let name = escaped(&scene.name);
+    let _ = write!(
+        text,
+        "\n## {name}\n\n{}, {}, {}; `{}`, SHA-256 `{}`\n",
+        numbers::things(scene.objects, "object"),
+        numbers::things(scene.triangles, "triangle"),
+        numbers::things(scene.lights, "light"),
+        scene.path,
+        scene.hash
+    );
+    if let Some(picture) = &scene.picture {
+        let _ = write!(text, "\n![{name}]({})\n", picture.file);
+        let _ = write!(text, "\nPixels: SHA-256 `{}`\n", picture.hash);
+    }
+    if let Some(proof) = &scene.proof {
+        add_table(&tables::proof_table(proof), text);
+        for entry in &proof.structures {
+            if let Some(difference) = &entry.first_difference {
+                let (structure, difference) = (escaped(&entry.structure), escaped(difference));
+                let _ = write!(text, "\nFirst difference of {structure}: {difference}\n");
+            }
+        }
+    }
+    add_table(&tables::ray_table(figures), text);
+    add_table(&tables::structure_table(scene, figures), text);
+    add_table(&tables::picture_table(figures), text);
+}
+
+fn add_run(comparison: &Comparison, text: &mut String) {
+    let _ = write!(text, "\n## How it was measured\n\n```sh\n{}\n```\n\n", comparison.run.command);
+    text.push_str("| | |\n|---|---|\n");
+    for (name, value) in tables::facts(comparison) {
+        let _ = writeln!(text, "| {name} | {} |", escaped(&value));
+    }
+}
+
+/// A table under its title; without lines, nothing.
+fn add_table(table: &Table, text: &mut String) {
+    if table.rows.is_empty() {
+        return;
+    }
+    let _ = write!(text, "\n### {}\n\n", table.title);
+    if !table.note.is_empty() {
+        let _ = write!(text, "{}\n\n", escaped(&table.note));
+    }
+    let heads: Vec<&str> = table.columns.iter().map(|column| column.head).collect();
+    let rules: Vec<&str> =
+        table.columns.iter().map(|column| if column.numeric { "--:" } else { "---" }).collect();
+    let _ = writeln!(text, "| {} |\n|{}|", heads.join(" | "), rules.join("|"));
+    for row in &table.rows {
+        let cells: Vec<String> = row.iter().map(cell).collect();
+        let _ = writeln!(text, "| {} |", cells.join(" | "));
+    }
+}
+
+fn cell(cell: &Cell) -> String {
+    let text = escaped(&cell.text);
+    match &cell.spread {
+        Some(spread) => format!("{text} ({spread})"),
+        None => text,
+    }
+}
+
+/// Text in which Markdown sees no markup.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '\\' | '`' | '*' | '_' | '[' | ']' | '|' | '#' => escaped.extend(['\\', c]),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '&' => escaped.push_str("&amp;"),
+            '\n' | '\r' => escaped.push(' '),
+            _ => escaped.push(c),
+        }
+    }
+    escaped
+}

@@ -1,0 +1,162 @@
+//! Numbers as reports print them: the one place that rounds, so that all forms say the same.
+//!
+//! Tables show three or four figures with a unit; CSV and JSON show every figure there is. A
+//! spread `low–high` has the decimals and the unit of the median beside it.
+
+use crate::record::statistics::Estimate;
+
+/// What stands where there is no number.
+pub(super) const NOTHING: &str = "–";
+
+/// A unit and how many of the base unit it is.
+pub(super) type Unit = (&'static str, f64);
+
+/// Units of times in nanoseconds, largest first.
+pub(super) const TIME: &[Unit] = &[("s", 1e9), ("ms", 1e6), ("µs", 1e3), ("ns", 1.0)];
+/// Units of sizes in bytes, largest first.
+pub(super) const BYTES: &[Unit] =
+    &[("GiB", 1_073_741_824.0), ("MiB", 1_048_576.0), ("KiB", 1_024.0), ("B", 1.0)];
+/// Factors of counts, largest first.
+pub(super) const COUNT: &[Unit] = &[("G", 1e9), ("M", 1e6), ("k", 1e3), ("", 1.0)];
+
+/// Decimals that show a number with three figures, at most `most` of them.
+pub(super) fn decimals(value: f64, most: usize) -> usize {
+    let enough = match value.abs() {
+        v if v >= 99.95 => 0,
+        v if v >= 9.995 => 1,
+        v if v >= 0.9995 || v == 0.0 => 2,
+        v if v >= 0.099_95 => 3,
+        v if v >= 0.009_995 => 4,
+        _ => 5,
+    };
+    enough.min(most)
+}
+
+/// A number with three figures, in groups of three digits.
+pub(super) fn figures(value: f64) -> String {
+    grouped(&format!("{value:.*}", decimals(value, 5)))
+}
+
+/// A whole number in groups of three digits: `1 234 567`, with no-break spaces.
+pub(super) fn whole(n: u64) -> String {
+    grouped(&n.to_string())
+}
+
+/// A number of things, in the plural unless it is one.
+pub(super) fn things(n: u64, thing: &str) -> String {
+    format!("{} {thing}{}", whole(n), if n == 1 { "" } else { "s" })
+}
+
+/// Splits the digits before the point into groups of three.
+fn grouped(number: &str) -> String {
+    let digits = number.find('.').unwrap_or(number.len());
+    let start = usize::from(number.starts_with('-'));
+    let mut text = String::with_capacity(number.len() + 4);
+    for (i, c) in number.char_indices() {
+        if i > start && i < digits && (digits - i).is_multiple_of(3) && digits - start > 4 {
+            text.push('\u{202f}');
+        }
+        text.push(c);
+    }
+    text
+}
+
+/// The largest unit in which a number is at least 1, as it will be rounded.
+pub(super) fn unit_of(value: f64, units: &'static [Unit]) -> Unit {
+    let fits = |unit: &&Unit| value.abs() >= 0.9995 * unit.1;
+    units.iter().find(fits).or(units.last()).copied().unwrap_or(("", 1.0))
+}
+
+/// A number in the unit that suits it.
+fn with_unit(value: f64, units: &'static [Unit]) -> String {
+    let (name, size) = unit_of(value, units);
+    let number = figures(value / size);
+    if name.is_empty() { number } else { format!("{number}\u{a0}{name}") }
+}
+
+/// A time: `45.6 ms`.
+pub(super) fn time(nanoseconds: f64) -> String {
+    with_unit(nanoseconds, TIME)
+}
+
+/// A size in memory: `4.50 MiB`; bytes are whole.
+pub(super) fn bytes(n: u64) -> String {
+    if n < 1_024 { format!("{n}\u{a0}B") } else { with_unit(n as f64, BYTES) }
+}
+
+/// A count: `999`, `1.23 M`; below a thousand exact.
+pub(super) fn count(n: u64) -> String {
+    if n < 1_000 { n.to_string() } else { with_unit(n as f64, COUNT) }
+}
+
+/// A number of rays that was computed: `1.23 M`.
+pub(super) fn about(n: f64) -> String {
+    with_unit(n, COUNT)
+}
+
+/// A share as a percentage: `12.3 %`.
+pub(super) fn percent(share: f64) -> String {
+    format!("{:.1}\u{a0}%", share * 100.0)
+}
+
+/// A median alone, with three figures.
+pub(super) fn median(estimate: Estimate) -> String {
+    figures(estimate.median)
+}
+
+/// The interval of an estimate with the decimals of its median: `3.02–3.21`.
+pub(super) fn spread(estimate: Estimate) -> Option<String> {
+    let interval = estimate.interval?;
+    let places = decimals(estimate.median, 5);
+    let show = |value: f64| grouped(&format!("{value:.places$}"));
+    Some(format!("{}–{}", show(interval.low), show(interval.high)))
+}
+
+/// Median and interval in the unit of the median: `45.6 ms (45.2–46.0)`.
+pub(super) fn time_estimate(estimate: Estimate) -> (String, Option<String>) {
+    let (name, size) = unit_of(estimate.median, TIME);
+    let scaled = estimate.map(|ns| ns / size);
+    (format!("{}\u{a0}{name}", median(scaled)), spread(scaled))
+}
+
+/// Every figure of a number, such that reading it gives the same number.
+pub(super) fn exact(value: f64) -> String {
+    format!("{value}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::statistics::Interval;
+
+    #[test]
+    fn three_figures_and_a_unit() {
+        assert_eq!(time(45_600_000.0), "45.6\u{a0}ms");
+        assert_eq!(time(999_900.0), "1.00\u{a0}ms");
+        assert_eq!(time(0.5), "0.500\u{a0}ns");
+        assert_eq!(time(12_345e9), "12\u{202f}345\u{a0}s");
+        assert_eq!(bytes(1_023), "1023\u{a0}B");
+        assert_eq!(bytes(4_718_592), "4.50\u{a0}MiB");
+        assert_eq!((count(999), count(1_234_567)), ("999".to_owned(), "1.23\u{a0}M".to_owned()));
+        assert_eq!(percent(0.1234), "12.3\u{a0}%");
+        assert_eq!(whole(1_234_567), "1\u{202f}234\u{202f}567");
+        assert_eq!((whole(1_234), whole(12_345)), ("1234".to_owned(), "12\u{202f}345".to_owned()));
+    }
+
+    #[test]
+    fn an_interval_has_the_decimals_of_its_median() {
+        let interval = Some(Interval { low: 9.9, high: 10.25 });
+        let estimate = Estimate { median: 10.0, interval, rounds: 10 };
+        assert_eq!(median(estimate), "10.0");
+        assert_eq!(spread(estimate).as_deref(), Some("9.9–10.2"));
+        let (text, range) = time_estimate(estimate.map(|x| x * 1e6));
+        assert_eq!((text.as_str(), range.as_deref()), ("10.0\u{a0}ms", Some("9.9–10.2")));
+    }
+
+    #[test]
+    fn exact_numbers_read_back_as_they_were() {
+        for value in [0.1, 1.0 / 3.0, 1e-300, 123_456_789.123] {
+            assert_eq!(exact(value).parse::<f64>().unwrap(), value);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Histograms of several structures, one below the other on one axis.
+
+use maud::{Markup, html};
+
+use super::axis::{Axis, AxisKind};
+use super::{WIDTH, at, color, figure, marker};
+
+const LEFT: f64 = 120.0;
+const TOP: f64 = 8.0;
+const PANEL: f64 = 84.0;
+const GAP: f64 = 18.0;
+const BOTTOM: f64 = 46.0;
+/// Sizes with a bar of their own; larger ones share the last.
+const SIZES: usize = 16;
+
+/// The histogram of a structure.
+pub(in crate::report) struct Bars {
+    /// The number of the structure, for its marker and colour.
+    pub(in crate::report) series: usize,
+    /// The name of the structure.
+    pub(in crate::report) name: String,
+    /// Entry n: how many leaves hold n primitives.
+    pub(in crate::report) counts: Vec<u64>,
+}
+
+/// Draws shares of leaves by size; `None` without any leaf.
+pub(in crate::report) fn histogram(title: &str, all: &[Bars]) -> Option<Markup> {
+    let all: Vec<&Bars> = all.iter().filter(|bars| bars.counts.iter().any(|&n| n > 0)).collect();
+    let longest = all.iter().map(|bars| bars.counts.len()).max()?;
+    let columns = longest.min(SIZES + 2);
+    let shares: Vec<Vec<f64>> = all.iter().map(|bars| shares(&bars.counts)).collect();
+    let largest = shares.iter().flatten().copied().fold(0.0, f64::max);
+    let x = Axis::new(AxisKind::Linear, (0.0, columns as f64), (LEFT, WIDTH - 20.0));
+    let bottom = TOP + all.len() as f64 * (PANEL + GAP) - GAP;
+    let drawing = html! {
+        @for ((bars, shares), panel) in all.iter().zip(&shares).zip(0u32..) {
+            (draw(bars, shares, largest, &x, TOP + f64::from(panel) * (PANEL + GAP)))
+        }
+        @for column in 0..columns {
+            text class="tick" x=(at(x.at(column as f64 + 0.5))) y=(at(bottom + 16.0)) text-anchor="middle" { (size_name(column)) }
+        }
+        text class="axis" x=(at((LEFT + WIDTH - 20.0) / 2.0)) y=(at(bottom + 37.0)) text-anchor="middle" { "primitives in a leaf" }
+    };
+    Some(figure(title, &meaning(&all, &shares), bottom + BOTTOM, &drawing))
+}
+
+fn draw(bars: &Bars, shares: &[f64], largest: f64, x: &Axis, top: f64) -> Markup {
+    let y = Axis::new(AxisKind::Linear, (0.0, largest * 1.25), (top + PANEL, top));
+    let class = format!("bar {}", color(bars.series));
+    html! {
+        (marker(bars.series, 12.0, top + PANEL / 2.0))
+        text class="name" x="24" y=(at(top + PANEL / 2.0 + 4.0)) { (bars.name) }
+        line class="grid" x1=(LEFT) x2=(WIDTH - 20.0) y1=(at(top + PANEL)) y2=(at(top + PANEL)) {}
+        @for (column, &share) in shares.iter().enumerate() {
+            @if share > 0.0 {
+                @let left = x.at(column as f64 + 0.12);
+                @let height = (top + PANEL - y.at(share)).max(0.6);
+                rect class=(class) x=(at(left)) y=(at(top + PANEL - height)) width=(at(x.at(column as f64 + 0.88) - left)) height=(at(height)) {}
+                text class="tick" x=(at(x.at(column as f64 + 0.5))) y=(at(top + PANEL - height - 4.0)) text-anchor="middle" { (percent(share)) }
+            }
+        }
+    }
+}
+
+/// Shares of the leaves, those of many primitives together.
+fn shares(counts: &[u64]) -> Vec<f64> {
+    let total: u64 = counts.iter().sum();
+    let mut shares = vec![0.0; counts.len().min(SIZES + 2)];
+    for (size, &n) in counts.iter().enumerate() {
+        shares[size.min(SIZES + 1)] += n as f64 / total as f64;
+    }
+    shares
+}
+
+fn size_name(column: usize) -> String {
+    if column > SIZES { format!("> {SIZES}") } else { column.to_string() }
+}
+
+fn percent(share: f64) -> String {
+    if share < 0.005 { "< 1\u{a0}%".to_owned() } else { format!("{:.0}\u{a0}%", share * 100.0) }
+}
+
+fn meaning(all: &[&Bars], shares: &[Vec<f64>]) -> String {
+    let of = |(bars, shares): (&&Bars, &Vec<f64>)| {
+        let sizes: Vec<String> = shares
+            .iter()
+            .enumerate()
+            .filter(|(_, share)| **share > 0.0)
+            .map(|(size, &share)| format!("{}: {}", size_name(size), percent(share)))
+            .collect();
+        format!("{}, leaves of {}", bars.name, sizes.join(", "))
+    };
+    all.iter().zip(shares).map(of).collect::<Vec<_>>().join("; ")
+}

@@ -1,0 +1,144 @@
+//! Points and lines on doubly logarithmic axes, each series named beside its end.
+
+use maud::{Markup, html};
+
+use super::axis::{Axis, tick_label};
+use super::{WIDTH, at, color, figure, marker};
+use crate::report::numbers::Unit;
+
+const LEFT: f64 = 76.0;
+const RIGHT: f64 = 210.0;
+const TOP: f64 = 10.0;
+const HEIGHT: f64 = 360.0;
+const BOTTOM: f64 = 50.0;
+/// The least distance of names below each other.
+const NAME: f64 = 17.0;
+
+/// What an axis says.
+pub(in crate::report) struct Ends {
+    /// What is on it, with its unit.
+    pub(in crate::report) label: &'static str,
+    /// Units for the numbers at it; without any they stand as they are.
+    pub(in crate::report) units: &'static [Unit],
+}
+
+/// A structure's points and line.
+pub(in crate::report) struct XySeries {
+    /// The number of the structure, for its marker and colour.
+    pub(in crate::report) series: usize,
+    /// What is written beside it.
+    pub(in crate::report) name: String,
+    /// The points, drawn as markers.
+    pub(in crate::report) points: Vec<(f64, f64)>,
+    /// The interval of y at each point, where there is one.
+    pub(in crate::report) intervals: Vec<Option<(f64, f64)>>,
+    /// The corners of a line.
+    pub(in crate::report) line: Vec<(f64, f64)>,
+    /// Whether the line is dashed: a fit, not a measurement.
+    pub(in crate::report) dashed: bool,
+}
+
+/// A plot on doubly logarithmic axes.
+pub(in crate::report) struct XyPlot {
+    /// The heading.
+    pub(in crate::report) title: String,
+    /// What it shows, for those who cannot see it.
+    pub(in crate::report) meaning: String,
+    /// The axis to the right.
+    pub(in crate::report) x: Ends,
+    /// The axis upwards.
+    pub(in crate::report) y: Ends,
+    /// The series.
+    pub(in crate::report) series: Vec<XySeries>,
+    /// The corners of a line that belongs to no series, such as a Pareto front.
+    pub(in crate::report) path: Vec<(f64, f64)>,
+    /// Places to put a ring around.
+    pub(in crate::report) rings: Vec<(f64, f64)>,
+}
+
+impl XyPlot {
+    /// Draws it; `None` if there is nothing with positive coordinates.
+    pub(in crate::report) fn draw(&self) -> Option<Markup> {
+        let all = || self.series.iter().flat_map(|s| s.points.iter().chain(&s.line));
+        let x = Axis::around(all().map(|p| p.0), (LEFT, WIDTH - RIGHT))?;
+        let intervals = self.series.iter().flat_map(|s| s.intervals.iter().flatten());
+        let heights = all().map(|p| p.1).chain(intervals.flat_map(|i| [i.0, i.1]));
+        let y = Axis::around(heights, (TOP + HEIGHT, TOP))?;
+        let drawing = html! {
+            (self.grid(&x, &y))
+            @if self.path.len() > 1 { polyline class="front" points=(corners(&self.path, &x, &y)) {} }
+            @for series in &self.series { (draw(series, &x, &y)) }
+            @for ring in &self.rings {
+                circle class="ring" cx=(at(x.at(ring.0))) cy=(at(y.at(ring.1))) r="9" {}
+            }
+            (names(&self.series, &y))
+        };
+        Some(figure(&self.title, &self.meaning, TOP + HEIGHT + BOTTOM, &drawing))
+    }
+
+    fn grid(&self, x: &Axis, y: &Axis) -> Markup {
+        let (bottom, right) = (TOP + HEIGHT, WIDTH - RIGHT);
+        html! {
+            @for tick in x.ticks() {
+                @let place = at(x.at(tick));
+                line class="grid" x1=(place) x2=(place) y1=(TOP) y2=(bottom) {}
+                text class="tick" x=(place) y=(at(bottom + 18.0)) text-anchor="middle" { (tick_label(tick, self.x.units)) }
+            }
+            @for tick in y.ticks() {
+                @let place = y.at(tick);
+                line class="grid" x1=(LEFT) x2=(right) y1=(at(place)) y2=(at(place)) {}
+                text class="tick" x=(at(LEFT - 8.0)) y=(at(place + 4.0)) text-anchor="end" { (tick_label(tick, self.y.units)) }
+            }
+            text class="axis" x=(at((LEFT + right) / 2.0)) y=(at(bottom + 40.0)) text-anchor="middle" { (self.x.label) }
+            text class="axis" transform=(format!("translate(14 {}) rotate(-90)", at(TOP + HEIGHT / 2.0))) text-anchor="middle" { (self.y.label) }
+        }
+    }
+}
+
+fn draw(series: &XySeries, x: &Axis, y: &Axis) -> Markup {
+    let dashed = if series.dashed { " dashed" } else { "" };
+    let class = format!("line {}", color(series.series));
+    html! {
+        @if series.line.len() > 1 {
+            polyline class=(format!("{class}{dashed}")) points=(corners(&series.line, x, y)) {}
+        }
+        @for (point, interval) in series.points.iter().zip(&series.intervals) {
+            @let place = at(x.at(point.0));
+            @if let Some((low, high)) = interval {
+                line class=(class) x1=(place) x2=(place) y1=(at(y.at(*low))) y2=(at(y.at(*high))) {}
+            }
+        }
+        @for point in &series.points { (marker(series.series, x.at(point.0), y.at(point.1))) }
+    }
+}
+
+/// Names right of the plot, at the height of each series' end, moved apart where they are close.
+fn names(series: &[XySeries], y: &Axis) -> Markup {
+    let end = |s: &XySeries| s.points.last().or(s.line.last()).map(|p| y.at(p.1));
+    let mut named: Vec<(f64, &XySeries)> =
+        series.iter().filter_map(|s| Some((end(s)?, s))).collect();
+    named.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut floor = TOP + 6.0;
+    for (place, _) in &mut named {
+        *place = place.max(floor);
+        floor = *place + NAME;
+    }
+    // What was pushed below the plot comes back up, and pushes those above it.
+    let mut ceiling = TOP + HEIGHT;
+    for (place, _) in named.iter_mut().rev() {
+        *place = place.min(ceiling);
+        ceiling = *place - NAME;
+    }
+    let left = WIDTH - RIGHT + 18.0;
+    html! {
+        @for (place, series) in named {
+            (marker(series.series, left, place))
+            text class="name" x=(at(left + 12.0)) y=(at(place + 4.0)) { (series.name) }
+        }
+    }
+}
+
+fn corners(line: &[(f64, f64)], x: &Axis, y: &Axis) -> String {
+    let corner = |p: &(f64, f64)| format!("{},{}", at(x.clamped(p.0)), at(y.clamped(p.1)));
+    line.iter().map(corner).collect::<Vec<_>>().join(" ")
+}

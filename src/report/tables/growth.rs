@@ -1,0 +1,57 @@
+//! The tables of a sweep: cost at each size, and the slopes.
+
+use super::{Cell, Table};
+use crate::record::derived::{SweepCurve, SweepFigures};
+use crate::record::{RayClass, Sweep};
+use crate::report::numbers;
+
+/// Slopes, then cost a ray at each size.
+pub(in crate::report) fn growth_tables(sweep: &Sweep, figures: &SweepFigures) -> Vec<Table> {
+    vec![slopes(figures, sweep), costs(figures)]
+}
+
+fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
+    let heads = ["Class", "Structure", "#Slope", "#Standard error", "#Sizes", "Left the sweep"];
+    let note = "The exponent of the power law through the medians of time a ray against triangles: \
+                0 is constant, 1 is linear.";
+    let mut table = Table::new("Slopes", note, &heads);
+    let dropped = |curve: &SweepCurve| {
+        let entry = sweep.dropped.iter().find(|entry| entry.structure == curve.structure)?;
+        Some(format!("at {} triangles: {}", numbers::count(entry.triangles), entry.reason))
+    };
+    for curve in by_class(figures) {
+        table.rows.push(vec![
+            Cell::text(curve.class.name()),
+            Cell::text(&curve.structure),
+            Cell::of(curve.fit, |fit| format!("{:.2}", fit.slope)),
+            Cell::of(curve.fit.and_then(|fit| fit.slope_error), |error| format!("{error:.2}")),
+            Cell::text(curve.values.len().to_string()),
+            Cell::of(dropped(curve), |text| text),
+        ]);
+    }
+    table
+}
+
+fn costs(figures: &SweepFigures) -> Table {
+    let heads = ["Class", "Structure", "#Triangles", "#ns/ray", "#Rounds"];
+    let mut table = Table::new("Cost at each size", "", &heads);
+    for curve in by_class(figures) {
+        table.rows.extend(curve.values.iter().map(|value| {
+            vec![
+                Cell::text(curve.class.name()),
+                Cell::text(&curve.structure),
+                Cell::text(numbers::whole(value.triangles)),
+                Cell::estimate(Some(value.ns_per_ray)),
+                Cell::text(value.ns_per_ray.rounds.to_string()),
+            ]
+        }));
+    }
+    table
+}
+
+/// The curves, those of a class together.
+fn by_class(figures: &SweepFigures) -> impl Iterator<Item = &SweepCurve> {
+    let of_class =
+        |class: RayClass| figures.curves.iter().filter(move |curve| curve.class == class);
+    RayClass::ALL.into_iter().flat_map(of_class)
+}

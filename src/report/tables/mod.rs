@@ -1,0 +1,88 @@
+//! The tables of a report, before it is decided how they look.
+//!
+//! Markdown and HTML draw the same tables, so they say the same numbers. Knows records and
+//! figures; knows neither of the languages.
+
+mod growth;
+mod rounds;
+mod run;
+mod sampling;
+mod scene;
+
+pub(super) use growth::growth_tables;
+pub(super) use rounds::round_table;
+pub(super) use run::facts;
+pub(super) use sampling::sampling_tables;
+pub(super) use scene::{picture_table, proof_table, ray_table, structure_table};
+
+use super::numbers::{self, NOTHING};
+use crate::record::statistics::Estimate;
+
+/// A table with a heading line.
+pub(super) struct Table {
+    /// What it is about.
+    pub(super) title: String,
+    /// How it is to be read; may be empty.
+    pub(super) note: String,
+    /// The columns.
+    pub(super) columns: Vec<Column>,
+    /// The lines, each with a cell for each column.
+    pub(super) rows: Vec<Vec<Cell>>,
+}
+
+/// A column's heading, and whether numbers stand in it.
+pub(super) struct Column {
+    pub(super) head: &'static str,
+    pub(super) numeric: bool,
+}
+
+/// What stands in a cell.
+pub(super) struct Cell {
+    /// The text or number.
+    pub(super) text: String,
+    /// The 95 % interval of the number.
+    pub(super) spread: Option<String>,
+}
+
+impl Table {
+    /// A table without lines. Columns whose heading starts with `#` hold numbers.
+    fn new(title: impl Into<String>, note: impl Into<String>, heads: &[&'static str]) -> Self {
+        let column = |&head: &&'static str| match head.strip_prefix('#') {
+            Some(head) => Column { head, numeric: true },
+            None => Column { head, numeric: false },
+        };
+        let columns = heads.iter().map(column).collect();
+        Self { title: title.into(), note: note.into(), columns, rows: Vec::new() }
+    }
+}
+
+impl Cell {
+    fn text(text: impl Into<String>) -> Self {
+        Self { text: text.into(), spread: None }
+    }
+
+    fn nothing() -> Self {
+        Self::text(NOTHING)
+    }
+
+    /// What a value looks like, or a dash.
+    fn of<T>(value: Option<T>, show: impl FnOnce(T) -> String) -> Self {
+        value.map_or_else(Self::nothing, |value| Self::text(show(value)))
+    }
+
+    /// Median and interval of a number without a unit.
+    fn estimate(estimate: Option<Estimate>) -> Self {
+        estimate.map_or_else(Self::nothing, |estimate| Self {
+            text: numbers::median(estimate),
+            spread: numbers::spread(estimate),
+        })
+    }
+
+    /// Median and interval of a time in nanoseconds.
+    fn time(estimate: Option<Estimate>) -> Self {
+        estimate.map_or_else(Self::nothing, |estimate| {
+            let (text, spread) = numbers::time_estimate(estimate);
+            Self { text, spread }
+        })
+    }
+}

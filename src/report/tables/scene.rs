@@ -1,0 +1,176 @@
+//! The tables of a scene: proof, structures, rays, time to the picture.
+
+use super::{Cell, Table};
+use crate::record::derived::{ClassFigures, SceneFigures, StructureFigures};
+use crate::record::statistics::BreakEven;
+use crate::record::{Proof, SceneRecord, Status, StructureProof, StructureRecord};
+use crate::report::numbers;
+
+/// That the answers are equal.
+pub(in crate::report) fn proof_table(proof: &Proof) -> Table {
+    let heads = [
+        "Structure",
+        "Picture",
+        "#Differing pixels",
+        "#Largest difference",
+        "#Rays checked",
+        "#Differing hits",
+    ];
+    let mut table = Table::new("Proof", "", &heads);
+    table.rows = proof.structures.iter().map(|entry| proof_row(entry, &proof.reference)).collect();
+    table
+}
+
+fn proof_row(entry: &StructureProof, reference: &str) -> Vec<Cell> {
+    let picture = match entry.picture_equal {
+        _ if entry.structure == reference => "the reference",
+        Some(true) => "equal bit for bit",
+        Some(false) => "DIFFERS",
+        None => "not compared",
+    };
+    vec![
+        Cell::text(&entry.structure),
+        Cell::text(picture),
+        Cell::text(numbers::whole(entry.differing_pixels)),
+        Cell::text(numbers::exact(entry.largest_difference)),
+        Cell::text(numbers::whole(entry.rays_checked)),
+        Cell::text(numbers::whole(entry.differing_hits)),
+    ]
+}
+
+/// What the structures are, and what their builds took.
+pub(in crate::report) fn structure_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
+    let heads = [
+        "Structure",
+        "Status",
+        "#Build, 1 thread",
+        "#Build, all threads",
+        "#Memory",
+        "#Bytes/triangle",
+        "#Peak resident",
+        "#Nodes",
+        "#Leaves",
+        "#Depth",
+        "#Refs/primitive",
+        "#SAH cost",
+        "#EPO",
+    ];
+    let note = "Memory is that of the index without its primitives. Below a time stands the 95 % \
+                interval of its median.";
+    let mut table = Table::new("Structures", note, &heads);
+    let rows = scene.structures.iter().zip(&figures.structures);
+    table.rows = rows.map(|(record, figures)| structure_row(record, figures)).collect();
+    table
+}
+
+fn structure_row(record: &StructureRecord, figures: &StructureFigures) -> Vec<Cell> {
+    let memory = record.memory.as_ref();
+    let shape = record.shape.as_ref();
+    vec![
+        Cell::text(&record.name),
+        Cell::text(status(&record.status)),
+        Cell::time(figures.build_one_thread_ns),
+        Cell::time(figures.build_all_threads_ns),
+        Cell::of(memory.map(|memory| memory.index_bytes), numbers::bytes),
+        Cell::of(figures.bytes_per_triangle, numbers::figures),
+        Cell::of(memory.and_then(|memory| memory.peak_resident_bytes), numbers::bytes),
+        Cell::of(shape.map(|shape| shape.nodes), numbers::whole),
+        Cell::of(shape.map(|shape| shape.leaves), numbers::whole),
+        Cell::of(shape.map(|shape| shape.depth), |depth| depth.to_string()),
+        Cell::of(figures.references_per_primitive, numbers::figures),
+        Cell::of(shape.and_then(|shape| shape.sah_cost), numbers::figures),
+        Cell::of(shape.and_then(|shape| shape.epo), numbers::figures),
+    ]
+}
+
+/// A status in words.
+fn status(status: &Status) -> String {
+    match status {
+        Status::Ok => "ok".to_owned(),
+        Status::Failed { message } => format!("failed: {message}"),
+        Status::TooSlow { after_seconds } => {
+            format!("too slow after {}", numbers::time(after_seconds * 1e9))
+        }
+        Status::Stopped => "stopped early".to_owned(),
+    }
+}
+
+/// What the rays took, by class.
+pub(in crate::report) fn ray_table(figures: &SceneFigures) -> Table {
+    let heads = [
+        "Class",
+        "Structure",
+        "#Rays",
+        "#Hits",
+        "#Boxes/ray",
+        "#Primitives/ray",
+        "#ns/ray",
+        "#CPU ns/ray",
+        "#M rays/s",
+        "#× base",
+        "#Rounds",
+    ];
+    let base = figures.base.as_deref().unwrap_or("none");
+    let note = format!(
+        "Medians of rounds, each with its 95 % interval; “× base” is how many times as fast as \
+         {base}, round by round."
+    );
+    let mut table = Table::new("Rays", note, &heads);
+    for class in figures.classes() {
+        let rows = figures.structures.iter().filter_map(|s| Some((s, s.class(class)?)));
+        table.rows.extend(rows.map(|(structure, class)| ray_row(&structure.structure, class)));
+    }
+    table
+}
+
+fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
+    vec![
+        Cell::text(class.class.name()),
+        Cell::text(structure),
+        Cell::text(numbers::whole(class.rays)),
+        Cell::of(class.hit_share, numbers::percent),
+        Cell::of(class.boxes_per_ray, numbers::figures),
+        Cell::of(class.primitives_per_ray, numbers::figures),
+        Cell::estimate(class.ns_per_ray),
+        Cell::of(class.cpu_ns_per_ray, numbers::median),
+        Cell::estimate(class.million_rays_per_second),
+        Cell::estimate(class.speedup),
+        Cell::of(class.ns_per_ray, |estimate| estimate.rounds.to_string()),
+    ]
+}
+
+/// Build and rendering together, and from when on a dearer build pays.
+pub(in crate::report) fn picture_table(figures: &SceneFigures) -> Table {
+    let heads =
+        ["Structure", "#Build", "#Render", "#Together", "#× base", "#Rounds", "Ahead of the base"];
+    let note = format!(
+        "All threads. The last column says from how many of the picture's mean rays on a structure \
+         has made up for its build, against {}.",
+        figures.base.as_deref().unwrap_or("the base")
+    );
+    let mut table = Table::new("Time to the picture", note, &heads);
+    table.rows = figures.structures.iter().map(picture_row).collect();
+    table
+}
+
+fn picture_row(figures: &StructureFigures) -> Vec<Cell> {
+    vec![
+        Cell::text(&figures.structure),
+        Cell::time(figures.picture_build_ns),
+        Cell::time(figures.picture_render_ns),
+        Cell::time(figures.picture_ns),
+        Cell::estimate(figures.picture_speedup),
+        Cell::of(figures.picture_ns, |estimate| estimate.rounds.to_string()),
+        Cell::of(figures.break_even, break_even),
+    ]
+}
+
+/// A break-even in words.
+fn break_even(when: BreakEven) -> String {
+    match when {
+        BreakEven::Always => "from the first ray on".to_owned(),
+        BreakEven::After { rays } => format!("after {} rays", numbers::about(rays)),
+        BreakEven::Until { rays } => format!("only for the first {} rays", numbers::about(rays)),
+        BreakEven::Never => "never".to_owned(),
+    }
+}

@@ -1,0 +1,127 @@
+//! Record → text for a terminal: one aligned table a scene, and the verdict.
+
+use std::fmt::Write;
+
+use super::numbers::{self, NOTHING};
+use super::verdict::verdict_of;
+use crate::record::baseline::Changes;
+use crate::record::derived::{Derived, SceneFigures, StructureFigures};
+use crate::record::statistics::Estimate;
+use crate::record::{Comparison, RayClass, SceneRecord, Status};
+
+/// Million rays a second by class, build, memory and time to the picture of each structure.
+#[must_use]
+pub fn write(comparison: &Comparison) -> String {
+    let derived = Derived::of(comparison);
+    let mut text = String::new();
+    for (scene, figures) in comparison.scenes.iter().zip(&derived.scenes) {
+        let triangles = numbers::count(scene.triangles);
+        let _ = writeln!(text, "{} ({triangles} triangles), million rays a second", scene.name);
+        text += &aligned(&scene_rows(scene, figures));
+        text.push('\n');
+    }
+    text + &verdict_of(comparison, &derived) + "\n"
+}
+
+/// What changed against a baseline: each change with its interval, then the doubts.
+#[must_use]
+pub fn write_changes(changes: &Changes, threshold: f64) -> String {
+    let mut text = String::new();
+    for (word, list) in [
+        ("slower", changes.regressions(threshold).collect::<Vec<_>>()),
+        ("faster", changes.improvements(threshold).collect()),
+    ] {
+        for change in list {
+            let (times, spread) =
+                (numbers::median(change.slowdown), numbers::spread(change.slowdown));
+            let _ = writeln!(
+                text,
+                "{word}: {} rays of {} with {} take {times} × the baseline's time (95 % {})",
+                change.class.name(),
+                change.scene,
+                change.structure,
+                spread.unwrap_or_default(),
+            );
+        }
+    }
+    if text.is_empty() {
+        let percent = numbers::percent(threshold);
+        let n = changes.changes.len();
+        let _ =
+            writeln!(text, "nothing of {n} measurements changed by more than {percent} for sure");
+    }
+    for doubt in &changes.doubts {
+        let _ = writeln!(text, "note: {doubt}");
+    }
+    text
+}
+
+fn scene_rows(scene: &SceneRecord, figures: &SceneFigures) -> Vec<Vec<String>> {
+    let classes = figures.classes();
+    let mut head = vec!["structure".to_owned()];
+    head.extend(classes.iter().map(|class| class.name().to_owned()));
+    head.extend(["× base", "build", "memory", "picture", "proof"].map(str::to_owned));
+    let rows = scene.structures.iter().zip(&figures.structures).map(|(record, own)| {
+        let memory = record.memory.as_ref().map(|memory| numbers::bytes(memory.index_bytes));
+        let time = |ns: Option<Estimate>| or_dash(ns.map(|ns| numbers::time(ns.median)));
+        let mut row = vec![record.name.clone()];
+        row.extend(classes.iter().map(|&class| rate(own, class)));
+        row.push(or_dash(classes.first().and_then(|&class| speedup(own, class))));
+        row.push(time(own.build_all_threads_ns));
+        row.push(or_dash(memory));
+        row.push(time(own.picture_ns));
+        row.push(remark(scene, &record.name, &record.status));
+        row
+    });
+    std::iter::once(head).chain(rows).collect()
+}
+
+fn rate(own: &StructureFigures, class: RayClass) -> String {
+    let rate = own.class(class).and_then(|class| class.million_rays_per_second);
+    or_dash(rate.map(numbers::median))
+}
+
+fn speedup(own: &StructureFigures, class: RayClass) -> Option<String> {
+    own.class(class)?.speedup.map(numbers::median)
+}
+
+/// Whether the answers are equal, or what went wrong.
+fn remark(scene: &SceneRecord, structure: &str, status: &Status) -> String {
+    let proof = scene.proof.as_ref().and_then(|proof| proof.structure(structure));
+    match (status, proof) {
+        (Status::Failed { message }, _) => format!("failed: {message}"),
+        (Status::TooSlow { .. }, _) => "too slow".to_owned(),
+        (_, Some(entry)) if !entry.holds() => "DIFFERS".to_owned(),
+        (Status::Stopped, _) => "stopped".to_owned(),
+        (Status::Ok, Some(entry)) if entry.picture_equal == Some(true) => "equal".to_owned(),
+        (Status::Ok, _) => NOTHING.to_owned(),
+    }
+}
+
+fn or_dash(text: Option<String>) -> String {
+    text.unwrap_or_else(|| NOTHING.to_owned())
+}
+
+/// Columns as wide as their widest cell: the first and the last from the left, the others from the
+/// right.
+fn aligned(rows: &[Vec<String>]) -> String {
+    let columns = rows.first().map_or(0, Vec::len);
+    let width = |column: usize| {
+        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default()
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for row in rows {
+        let mut line = String::from(" ");
+        for (column, (cell, &width)) in row.iter().zip(&widths).enumerate() {
+            let _ = match column {
+                0 => write!(line, " {cell:<width$}"),
+                _ if column + 1 == columns => write!(line, "  {cell}"),
+                _ => write!(line, "  {cell:>width$}"),
+            };
+        }
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}

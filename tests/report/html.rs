@@ -1,0 +1,77 @@
+//! The page: whole, self-contained, and nothing of the record lost on it.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use srt::report::html;
+
+use crate::sample;
+
+/// The page of a record, which is also left where a browser can look at it.
+fn page(name: &str, comparison: &srt::record::Comparison) -> String {
+    let page = html::write(comparison, &sample::pictures(comparison));
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report");
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join(format!("{name}.html")), &page).unwrap();
+    page
+}
+
+#[test]
+fn the_page_loads_nothing_and_runs_nothing() {
+    let page = page("full", &sample::full());
+    for foreign in ["<script", "<link rel=\"stylesheet", "src=\"http", "@import", "url("] {
+        assert!(!page.contains(foreign), "{foreign}");
+    }
+    let sources = page.matches("src=\"").count();
+    assert_eq!(sources, page.matches("src=\"data:image/png;base64,").count());
+    assert_eq!(sources, 9, "two pictures and seven heatmaps");
+}
+
+#[test]
+fn every_plot_is_there_and_named() {
+    let page = page("full", &sample::full());
+    let scene = [
+        "speed-up over",
+        "million rays a second",
+        "share of leaves by size",
+        "build against trace",
+        "when a dearer build pays",
+    ];
+    for title in scene {
+        assert_eq!(page.matches(&format!(": {title}")).count() / 3, 2, "{title}");
+    }
+    assert!(page.contains("hall: view rays against triangles"));
+    assert_eq!(
+        page.matches("<svg").count(),
+        page.matches("role=\"img\" aria-label=").count()
+            + page.matches("class=\"bar\" role=\"img\"").count()
+    );
+    assert!(!page.contains("NaN") && !page.contains("inf"), "a number went wrong");
+}
+
+#[test]
+fn text_of_the_record_is_no_markup() {
+    let page = page("partial", &sample::partial());
+    assert!(page.contains("memory &lt;here&gt;") && page.contains("&lt;16 &amp; more&gt;"));
+    assert!(page.contains("Partial."));
+    assert!(page.contains("origin (0, 1, 5)"));
+}
+
+#[test]
+fn a_record_of_nothing_is_a_page() {
+    let page = page("minimal", &sample::minimal());
+    assert!(page.contains("nothing was traced") && page.ends_with("</html>"));
+}
+
+#[test]
+fn a_missing_picture_is_said_to_be_missing() {
+    let page = html::write(&sample::full(), &BTreeMap::new());
+    assert!(page.contains("pictures/bunny.png") && page.contains("was not at hand"));
+}
+
+#[test]
+fn one_shape_and_colour_goes_with_each_structure_all_over_the_page() {
+    let mut comparison = sample::full();
+    comparison.scenes.swap(0, 1);
+    assert!(html::write(&comparison, &BTreeMap::new()).contains("class=\"mark s3\""));
+}

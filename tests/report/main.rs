@@ -1,0 +1,10 @@
+//! Reports of sample records: every form, with the same numbers in all of them.
+
+#![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
+
+mod baseline;
+mod html;
+mod same_numbers;
+mod sample;
+mod schema;
+mod text;
