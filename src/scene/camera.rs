@@ -35,7 +35,7 @@ impl Camera {
         let u = camera.up.cross(w).try_normalize().ok_or(SceneError::Camera)?;
         let v = w.cross(u);
         let (nx, ny) = (f64::from(camera.width), f64::from(camera.height));
-        let top = camera.distance * (0.5 * camera.fovy_degrees.to_radians()).tan();
+        let top = camera.distance * libm::tan(0.5 * camera.fovy_degrees.to_radians());
         let pixel = 2.0 * top / ny;
         // Pixel (−½, −½) is the corner (l, b) of the image rectangle.
         let corner =
