@@ -9,6 +9,7 @@
 pub mod accel;
 pub mod assets;
 pub mod cli;
+pub mod compare;
 pub mod counters;
 pub mod description;
 pub mod image_io;

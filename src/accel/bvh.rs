@@ -9,13 +9,13 @@
 
 use std::ops::{ControlFlow, Range};
 
-use glam::{Vec4, Vec4Swizzles};
+use glam::{Vec3A, Vec4, Vec4Swizzles};
 use obvhs::bvh2::builder::build_bvh2;
 use obvhs::bvh2::{Bvh2, node::Bvh2Node};
 use smallvec::SmallVec;
 
 use crate::counters::Counters;
-use crate::math::{BoxRay, NONE, Ray};
+use crate::math::{Aabb, BoxRay, NONE, Ray};
 
 use super::{Accel, Bounded, BuildConfig, Built, StructureShape, obvhs_boxes};
 
@@ -110,18 +110,39 @@ impl Accel for Bvh {
 
     fn shape(&self) -> StructureShape {
         let mut shape = StructureShape::default();
-        let mut open: Vec<_> = self.root.iter().map(|&root| (root, 0)).collect();
-        while let Some((child, depth)) = open.pop() {
+        // A node, its depth, and the share of the rays that meet it: by its area in the root's.
+        let mut open: Vec<_> = self.root.iter().map(|&root| (root, 0, 1.0)).collect();
+        let root_area = self.nodes.first().map_or(0.0, |node| node.bounds().half_area());
+        let mut cost = 0.0;
+        while let Some((child, depth, met)) = open.pop() {
             if child.count > 0 {
                 shape.add_leaf(child.count, depth);
-            } else {
-                shape.nodes += 1;
-                let children = self.nodes[child.first as usize].children;
-                open.extend(children.map(|child| (child, depth + 1)));
+                cost += met * f64::from(child.count);
+                continue;
+            }
+            shape.nodes += 1;
+            cost += met * 2.0;
+            let node = &self.nodes[child.first as usize];
+            for (side, &child) in node.children.iter().enumerate() {
+                open.push((child, depth + 1, node.child_bounds(side).half_area() / root_area));
             }
         }
+        shape.sah_cost = cost.is_finite().then_some(cost);
         shape.bytes = (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()) as u64;
         shape
+    }
+}
+
+impl Node {
+    /// The box of the left (0) or right (1) child.
+    fn child_bounds(&self, side: usize) -> Aabb {
+        let corner = |first: usize| Vec3A::from_array(self.planes.map(|axis| axis[first + side]));
+        Aabb { min: corner(0), max: corner(2) }
+    }
+
+    /// The box around both children.
+    fn bounds(&self) -> Aabb {
+        self.child_bounds(0).union(self.child_bounds(1))
     }
 }
 

@@ -14,7 +14,7 @@ use obvhs::cwbvh::node::CwBvhNode;
 use smallvec::SmallVec;
 
 use crate::counters::Counters;
-use crate::math::{BoxRay, Ray};
+use crate::math::{Aabb, BoxRay, Ray};
 use crate::simd::ones;
 
 use super::{Accel, Bounded, BuildConfig, Built, StructureShape, obvhs_boxes};
@@ -91,21 +91,34 @@ impl Accel for CompressedWideBvh {
 
     fn shape(&self) -> StructureShape {
         let mut shape = StructureShape::default();
-        let mut open = if self.nodes.is_empty() { vec![] } else { vec![(0, 0)] };
-        while let Some((index, depth)) = open.pop() {
+        // A node, its depth, and the share of the rays that meet it: by its area in the root's.
+        let mut open = if self.nodes.is_empty() { vec![] } else { vec![(0, 0, 1.0)] };
+        let root_area = self.nodes.first().map_or(0.0, |node| half_area(&node.aabb()));
+        let mut cost = 0.0;
+        while let Some((index, depth, met)) = open.pop() {
             let node: &CwBvhNode = &self.nodes[index as usize];
             shape.nodes += 1;
             for child in (0..WIDTH).filter(|&child| !node.is_child_empty(child)) {
+                cost += met;
+                let meets_child = half_area(&node.child_aabb(child)) / root_area;
                 if node.is_leaf(child) {
-                    shape.add_leaf(node.child_primitives(child).1, depth + 1);
+                    let count = node.child_primitives(child).1;
+                    shape.add_leaf(count, depth + 1);
+                    cost += meets_child * f64::from(count);
                 } else {
-                    open.push((node.child_node_index(child), depth + 1));
+                    open.push((node.child_node_index(child), depth + 1, meets_child));
                 }
             }
         }
+        shape.sah_cost = cost.is_finite().then_some(cost);
         shape.bytes = (size_of::<Self>() + self.nodes.capacity() * size_of::<CwBvhNode>()) as u64;
         shape
     }
+}
+
+/// [`Aabb::half_area`] of one of obvhs's boxes.
+fn half_area(bounds: &obvhs::aabb::Aabb) -> f64 {
+    Aabb { min: bounds.min, max: bounds.max }.half_area()
 }
 
 /// What a node's children are to a ray.

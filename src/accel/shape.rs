@@ -4,7 +4,7 @@
 pub type LeafHistogram = Vec<u64>;
 
 /// Size and form of a structure.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct StructureShape {
     /// Inner nodes, the root included.
     pub nodes: u64,
@@ -16,6 +16,10 @@ pub struct StructureShape {
     pub leaf_sizes: LeafHistogram,
     /// Bytes of the index itself, without the primitives.
     pub bytes: u64,
+    /// Expected cost of a ray that meets the root's box, by the surface area heuristic (Goldsmith,
+    /// Salmon 1987; MacDonald, Booth 1990): every box test costs 1, every primitive test costs 1.
+    /// For trees alone.
+    pub sah_cost: Option<f64>,
 }
 
 impl StructureShape {
@@ -30,12 +34,16 @@ impl StructureShape {
         self.depth = self.depth.max(depth);
     }
 
-    /// Adds what another structure is made of; the depth is that of the deeper one.
+    /// Adds what another structure is made of; the depth is that of the deeper one, and the cost
+    /// that of a ray that meets both.
     pub fn merge(&mut self, other: &Self) {
         self.nodes += other.nodes;
         self.leaves += other.leaves;
         self.depth = self.depth.max(other.depth);
         self.bytes += other.bytes;
+        if let Some(cost) = other.sah_cost {
+            *self.sah_cost.get_or_insert(0.0) += cost;
+        }
         if self.leaf_sizes.len() < other.leaf_sizes.len() {
             self.leaf_sizes.resize(other.leaf_sizes.len(), 0);
         }

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
+use super::compare_args::{CompareArguments, ReportArguments};
 use super::exit::EXIT_CODES;
 use super::render_args::RenderArguments;
 use super::values;
@@ -18,6 +19,7 @@ Examples:
   srt scene.sce detail.png --crop 90,50,190,150 --aa 8
   srt scene.sce cost.png --view heatmap            what the rays of each pixel cost
   srt scene.sce - --format png | display -         to a pipe
+  srt compare scenes/hall.sce                      which structure is how fast, as a report
   srt check scenes/*.sce                           validate without rendering
   srt diff old.png new.png -o difference.png       compare two pictures
 
@@ -51,6 +53,10 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Validate scenes without rendering and tell what is in them
     Check(CheckArguments),
+    /// Compare acceleration structures, prove their answers equal, and write a report
+    Compare(CompareArguments),
+    /// Write the report of a comparison again, from its report.json
+    Report(ReportArguments),
     /// Compare two pictures
     Diff(DiffArguments),
     /// Generate a mesh as a Wavefront OBJ file

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::report::{RayClass, Report};
+use super::figures::{RayClass, Report};
 use crate::accel::StructureShape;
 
 /// The version of [`Document`]: raised when a field changes its meaning or goes away.
@@ -158,7 +158,7 @@ mod tests {
 
     use serde_json::{Value, from_str, json};
 
-    use super::super::report::tests::example;
+    use super::super::figures::tests::example;
     use super::*;
 
     #[test]

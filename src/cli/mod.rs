@@ -5,23 +5,29 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `args.rs`, `render_args.rs`, `values.rs` | what was typed |
+//! | `args.rs`, `render_args.rs`, `compare_args.rs`, `values.rs` | what was typed |
 //! | `options.rs` | what was validated |
-//! | `render.rs`, `check.rs`, `diff.rs`, `mesh.rs`, `completions.rs`, `man.rs` | the subcommands |
+//! | `render.rs`, `compare.rs`, `report.rs`, `check.rs`, `diff.rs`, `mesh.rs`, `completions.rs`, `man.rs` | the subcommands |
 //! | `output/` | where results go, whole or not at all |
-//! | `terminal.rs`, `interrupt.rs`, `progress.rs` | the terminal |
+//! | `result_folder.rs`, `fingerprint.rs` | the files of a comparison; what scenes are told apart by |
+//! | `terminal.rs`, `interrupt.rs`, `progress.rs`, `compare_progress.rs` | the terminal |
 //! | `load.rs`, `source.rs`, `diagnose.rs`, `inventory.rs` | a scene from its file; what is wrong with it; what is in it |
 //! | `sight.rs` | what was rendered → the picture that is written |
-//! | `report.rs`, `document.rs`, `summary.rs`, `units.rs` | figures → text |
+//! | `figures.rs`, `document.rs`, `summary.rs`, `units.rs` | figures → text |
 //! | `exit.rs` | how the command ends |
 
 mod args;
 mod check;
+mod compare;
+mod compare_args;
+mod compare_progress;
 mod completions;
 mod diagnose;
 mod diff;
 mod document;
 mod exit;
+mod figures;
+mod fingerprint;
 mod interrupt;
 mod inventory;
 mod load;
@@ -33,6 +39,7 @@ mod progress;
 mod render;
 mod render_args;
 mod report;
+mod result_folder;
 mod sight;
 mod source;
 mod summary;
@@ -60,6 +67,8 @@ fn dispatch(arguments: Arguments) -> Outcome {
     match arguments.command {
         None => render::run(arguments.render, &interrupt),
         Some(Command::Check(check)) => check::run(&check),
+        Some(Command::Compare(compare)) => compare::run(&compare, &interrupt),
+        Some(Command::Report(report)) => report::run(&report),
         Some(Command::Diff(diff)) => diff::run(&diff),
         Some(Command::Mesh(mesh)) => mesh::run(&mesh),
         Some(Command::Completions(completions)) => completions::run(&completions),

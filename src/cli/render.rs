@@ -4,13 +4,13 @@
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::exit::{Exit, Failure, Outcome};
+use super::figures::Report;
 use super::interrupt::Interrupt;
 use super::load::{LoadError, Loaded, load};
 use super::options::{RenderOptions, Stats};
 use super::output::{OutputError, print};
 use super::progress::Progress;
 use super::render_args::RenderArguments;
-use super::report::Report;
 use super::terminal::{tell, tell_error};
 use super::{sight, summary};
 use crate::image_io::encode;

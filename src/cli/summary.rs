@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::report::{RayClass, Report};
+use super::figures::{RayClass, Report};
 use super::units;
 use crate::accel::StructureShape;
 use crate::counters::Counts;
@@ -135,7 +135,7 @@ fn total_row(report: &Report) -> Option<[String; 4]> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::report::tests::example;
+    use super::super::figures::tests::example;
     use super::*;
 
     #[test]

@@ -1,7 +1,9 @@
-//! Values of options that are more than a number: sizes, crops, and numbers with a unit.
+//! Values of options that are more than a number: sizes, crops, times, percentages, and numbers with
+//! a unit.
 
 use std::fmt;
 use std::str::FromStr;
+use std::time::Duration;
 
 use crate::assets::generate::MAX_TRIANGLES;
 use crate::description::Camera;
@@ -28,6 +30,12 @@ pub(crate) enum ValueError {
     /// None, or more than can be made.
     #[error("the number must lie between 1 and {MAX_TRIANGLES}")]
     CountRange,
+    /// Not a time.
+    #[error("expected a number of seconds above 0, such as 90 or 2.5")]
+    Seconds,
+    /// Not a percentage.
+    #[error("expected a percentage from 0, such as 10%")]
+    Percent,
 }
 
 /// Width and height of a picture in pixels, each from 1 to [`Camera::MAX_SIDE`].
@@ -80,6 +88,23 @@ pub(super) fn triangles(text: &str) -> Result<u32, ValueError> {
     if (1..=MAX_TRIANGLES).contains(&count) { Ok(count) } else { Err(ValueError::CountRange) }
 }
 
+/// Reads a time in seconds, above 0 and at most a year.
+pub(super) fn seconds(text: &str) -> Result<Duration, ValueError> {
+    const YEAR: f64 = 366.0 * 86_400.0;
+    let seconds: f64 = text.trim().parse().map_err(|_| ValueError::Seconds)?;
+    let fits = seconds > 0.0 && seconds <= YEAR;
+    if fits { Ok(Duration::from_secs_f64(seconds)) } else { Err(ValueError::Seconds) }
+}
+
+/// Reads a percentage, `10%` or `10`, as a share: 0.1.
+pub(super) fn percent(text: &str) -> Result<f64, ValueError> {
+    let text = text.trim();
+    let number = text.strip_suffix('%').unwrap_or(text).trim_end();
+    let percent: f64 = number.parse().map_err(|_| ValueError::Percent)?;
+    let fits = percent.is_finite() && percent >= 0.0;
+    if fits { Ok(percent / 100.0) } else { Err(ValueError::Percent) }
+}
+
 /// A number of digits alone (Rust's own parser would also take `+3`); too large ones saturate, so
 /// that they meet the message about ranges.
 fn number(text: &str) -> Option<u32> {
@@ -128,6 +153,18 @@ mod tests {
         }
         for bad in ["0", "0k", "101M", "99999999999"] {
             assert_eq!(triangles(bad), Err(ValueError::CountRange), "{bad}");
+        }
+    }
+
+    #[test]
+    fn times_and_percentages() {
+        assert_eq!(seconds("2.5"), Ok(Duration::from_millis(2_500)));
+        for bad in ["", "0", "-1", "nan", "inf", "1e9", "ten"] {
+            assert_eq!(seconds(bad), Err(ValueError::Seconds), "{bad}");
+        }
+        assert_eq!((percent("10%"), percent("0"), percent("2.5 %")), (Ok(0.1), Ok(0.0), Ok(0.025)));
+        for bad in ["", "%", "-1%", "nan", "inf%", "ten"] {
+            assert_eq!(percent(bad), Err(ValueError::Percent), "{bad}");
         }
     }
 

@@ -46,6 +46,13 @@ impl Aabb {
         self.max - self.min
     }
 
+    /// Half of its surface, in `f64`: proportional to the chance that a random line meets it.
+    #[must_use]
+    pub fn half_area(&self) -> f64 {
+        let [x, y, z] = self.size().to_array().map(f64::from);
+        x * y + y * z + z * x
+    }
+
     /// The largest absolute coordinate of any of its points; 0 for the empty box.
     #[must_use]
     pub fn largest_coordinate(&self) -> f32 {
@@ -75,6 +82,7 @@ mod tests {
         assert_eq!(Aabb::of_points(a.corners()), a);
         assert_eq!(a.union(Aabb::EMPTY), a);
         assert_eq!(a.largest_coordinate(), 5.0);
+        assert_eq!(a.half_area(), 2.0 * 3.0 + 3.0 * 3.0 + 3.0 * 2.0);
         assert!(Aabb::EMPTY.is_empty() && !a.is_empty());
         assert_eq!(Aabb::EMPTY.largest_coordinate(), 0.0);
     }

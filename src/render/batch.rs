@@ -9,7 +9,7 @@ use crate::scene::{Camera, Scene, Surface};
 use super::light_samples::{LightSamples, PixelOrder};
 use super::optics::{mirror, refract};
 use super::shadows::Shadows;
-use super::{RayClass, RenderStats, Settings};
+use super::{Observer, RayClass, RenderStats, Settings};
 
 /// A way of light from a surface to the eye that is being followed backwards.
 #[derive(Clone, Copy, Debug)]
@@ -47,6 +47,7 @@ pub(super) struct ViewSample {
 pub(super) struct Context<'a> {
     pub(super) scene: &'a Scene,
     pub(super) tracer: &'a dyn Tracer,
+    pub(super) observer: &'a dyn Observer,
     pub(super) settings: &'a Settings,
     pub(super) camera: Camera,
     pub(super) light_samples: LightSamples,
@@ -141,6 +142,7 @@ impl Batch {
         self.hits.resize(rays.len(), Hit::MISS);
         let stats = self.stats.class_mut(class);
         let counts = context.count.then_some(&mut stats.tests);
+        context.observer.rays_sent(class, rays);
         context.tracer.intersect(rays, &mut self.hits, counts);
         stats.rays += rays.len() as u64;
         self.shaded.clear();

@@ -1,11 +1,17 @@
 //! Who watches a rendering, and may stop it.
 
+use crate::math::Ray;
+
+use super::RayClass;
+
 /// Told of progress from all threads, between tiles.
 pub trait Observer: Sync {
     /// A tile is done.
     fn tile_done(&self, pixels: u64, rays: u64);
     /// Whether to stop. Asked before each tile; tiles that were begun are finished.
     fn cancelled(&self) -> bool;
+    /// These rays are sent now: what a replay needs. Most observers need not know.
+    fn rays_sent(&self, _class: RayClass, _rays: &[Ray]) {}
 }
 
 /// Watches nothing and never stops.

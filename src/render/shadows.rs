@@ -124,6 +124,7 @@ impl Shadows {
         self.blocked.resize(self.rays.len(), false);
         let stats = batch.stats.class_mut(RayClass::Shadow);
         let counts = context.count.then_some(&mut stats.tests);
+        context.observer.rays_sent(RayClass::Shadow, &self.rays);
         context.tracer.occluded(&self.rays, &mut self.blocked, counts);
         self.shares.extend(self.blocked.iter().map(|&blocked| f32::from(u8::from(!blocked))));
         stats.rays += self.rays.len() as u64;
@@ -159,6 +160,7 @@ impl Walk {
             self.hits.resize(self.rays.len(), Hit::MISS);
             let stats = batch.stats.class_mut(RayClass::Shadow);
             let counts = context.count.then_some(&mut stats.tests);
+            context.observer.rays_sent(RayClass::Shadow, &self.rays);
             context.tracer.intersect(&self.rays, &mut self.hits, counts);
             stats.rays += self.rays.len() as u64;
             stats.hits += self.hits.iter().filter(|hit| hit.is_hit()).count() as u64;

@@ -68,6 +68,7 @@ pub fn render(
     let context = Context {
         scene,
         tracer,
+        observer,
         settings,
         camera: scene.camera.resized(settings.width, settings.height),
         light_samples: LightSamples::new(
@@ -83,7 +84,7 @@ pub fn render(
     let rendered: Vec<Option<Tile>> = tiles
         .par_iter()
         .with_max_len(1)
-        .map_init(Batch::default, |batch, &area| render_tile(&context, batch, area, observer))
+        .map_init(Batch::default, |batch, &area| render_tile(&context, batch, area))
         .collect();
     assemble(settings, region, &tiles, rendered, start)
 }
@@ -108,13 +109,8 @@ fn tiles_of(region: Crop) -> Vec<Crop> {
     .collect()
 }
 
-fn render_tile(
-    context: &Context<'_>,
-    batch: &mut Batch,
-    area: Crop,
-    observer: &dyn Observer,
-) -> Option<Tile> {
-    if observer.cancelled() {
+fn render_tile(context: &Context<'_>, batch: &mut Batch, area: Crop) -> Option<Tile> {
+    if context.observer.cancelled() {
         return None;
     }
     batch.stats = RenderStats::default();
@@ -124,7 +120,7 @@ fn render_tile(
         view => render_view(context, batch, area, view),
     };
     let stats = batch.stats.clone();
-    observer.tile_done(pixels.len() as u64, stats.total_rays());
+    context.observer.tile_done(pixels.len() as u64, stats.total_rays());
     Some(Tile { pixels, stats })
 }
 

@@ -1,0 +1,202 @@
+//! `srt compare`: scenes and structures → a report. What is measured, and how, is the work of
+//! `compare`; what a report looks like, of `report`.
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use super::compare_args::CompareArguments;
+use super::compare_progress::CompareProgress;
+use super::exit::{Exit, Failure, Outcome};
+use super::fingerprint;
+use super::interrupt::Interrupt;
+use super::load::{LoadError, load};
+use super::output::print;
+use super::result_folder::{PictureFiles, ResultFolder, read_record};
+use super::terminal::{tell, tell_error};
+use crate::accel::BuildConfig;
+use crate::compare::{self, PictureOptions, Plan, SceneInput};
+use crate::image_io::{Format, encode};
+use crate::record::Comparison;
+use crate::record::baseline::Changes;
+use crate::report::terminal;
+use crate::scene::{STRUCTURES, Structure};
+
+/// Seconds for each scene, and for all, if nobody says how many.
+const SECONDS_A_SCENE: u64 = 30;
+const MOST_SECONDS: u64 = 150;
+
+/// Compares, writes the report and prints its table.
+pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcome {
+    let baseline = arguments.baseline.as_deref().map(read_record).transpose()?;
+    let out = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.scenes));
+    let Some(scenes) = load_all(arguments)? else { return Ok(Exit::Trouble) };
+    let folder = ResultFolder::prepare(&out)?;
+    let plan = plan(arguments, scenes);
+    let progress = CompareProgress::start(arguments.quiet, interrupt.clone());
+    let structures = structures(arguments);
+    let outcome = interrupt.heeded_by(|| compare::run(&plan, &structures, &progress));
+    drop(progress);
+    let outcome = outcome.map_err(Failure::new)?;
+    folder.write(&outcome.comparison, &encoded(&outcome.pictures)?)?;
+    let fine = tell_outcome(arguments, &outcome, baseline.as_ref(), folder.path())?;
+    Ok(match (outcome.comparison.run.partial, fine) {
+        (true, _) => Exit::Interrupted,
+        (false, true) => Exit::Fine,
+        (false, false) => Exit::Negative,
+    })
+}
+
+/// Prints the table and what changed; whether all is well.
+fn tell_outcome(
+    arguments: &CompareArguments,
+    outcome: &compare::Outcome,
+    baseline: Option<&Comparison>,
+    folder: &Path,
+) -> Result<bool, Failure> {
+    let mut text = terminal::write(&outcome.comparison);
+    let mut fine = outcome.holds();
+    if let Some(old) = baseline {
+        let changes = Changes::between(old, &outcome.comparison);
+        fine &= changes.regressions(arguments.fail_above).next().is_none();
+        text += &terminal::write_changes(&changes, arguments.fail_above);
+    }
+    for scene in &outcome.comparison.scenes {
+        for entry in scene.proof.iter().flat_map(|proof| &proof.structures) {
+            if let Some(difference) = &entry.first_difference {
+                tell_error(format_args!("{}, {}: {difference}", scene.name, entry.structure));
+            }
+        }
+    }
+    if !arguments.quiet {
+        print(&text)?;
+        tell(format_args!("the report is in `{}`", folder.display()));
+    }
+    Ok(fine)
+}
+
+/// Loads all scenes, each under a name of its own; `None` if one is wrong, which has been told.
+fn load_all(arguments: &CompareArguments) -> Result<Option<Vec<SceneInput>>, Failure> {
+    let mut scenes: Vec<SceneInput> = Vec::new();
+    for path in &arguments.scenes {
+        let loaded = match load(path, arguments.lenient) {
+            Ok(loaded) => loaded,
+            Err(error) => {
+                if let LoadError::Invalid { text, .. } = &error {
+                    tell(format_args!("{text}\n"));
+                }
+                tell_error(error);
+                return Ok(None);
+            }
+        };
+        if !arguments.quiet && !loaded.warnings.is_empty() {
+            tell(&loaded.warnings);
+        }
+        let hash = fingerprint::of_scene(path, &loaded.description).map_err(|error| {
+            Failure::new(format_args!("cannot read `{}` again: {error}", path.display()))
+        })?;
+        let name = new_name(&stem(path), &scenes);
+        let path = path.display().to_string();
+        scenes.push(SceneInput { name, path, hash, scene: loaded.scene });
+    }
+    Ok(Some(scenes))
+}
+
+/// A name that no scene has yet.
+fn new_name(stem: &str, scenes: &[SceneInput]) -> String {
+    let is_new = |name: &String| scenes.iter().all(|scene| scene.name != *name);
+    let numbered = (2..).map(|number| format!("{stem}-{number}"));
+    std::iter::once(stem.to_owned()).chain(numbered).find(is_new).unwrap_or_default()
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned())
+}
+
+/// `results/<date>-<scene>`, with a number behind it where that is taken.
+fn default_folder(scenes: &[PathBuf]) -> PathBuf {
+    let date = jiff::Zoned::now().strftime("%Y-%m-%d").to_string();
+    let first = scenes.first().map_or_else(String::new, |path| stem(path));
+    let more = match scenes.len() {
+        0 | 1 => String::new(),
+        n => format!("-and-{}-more", n - 1),
+    };
+    let name = format!("{date}-{first}{more}");
+    let numbered = (2..).map(|number| format!("{name}-{number}"));
+    let mut paths =
+        std::iter::once(name.clone()).chain(numbered).map(|name| Path::new("results").join(name));
+    paths.find(|path| !path.exists()).unwrap_or_else(|| Path::new("results").join(name))
+}
+
+fn plan(arguments: &CompareArguments, scenes: Vec<SceneInput>) -> Plan {
+    let seconds = (SECONDS_A_SCENE * scenes.len() as u64).min(MOST_SECONDS);
+    let mut plan = Plan::of_scenes(scenes);
+    plan.command = command();
+    plan.budget = Some(arguments.budget.unwrap_or(Duration::from_secs(seconds)));
+    plan.rounds.at_least = arguments.rounds;
+    plan.build = BuildConfig { quality: arguments.build, ..BuildConfig::default() };
+    plan.threads = arguments.threads.map_or(plan.threads, usize::from);
+    plan.picture = PictureOptions {
+        size: arguments.size.map(|size| [size.width, size.height]),
+        aa: arguments.aa,
+        seed: arguments.seed,
+        ..PictureOptions::default()
+    };
+    if !arguments.classes.is_empty() {
+        plan.classes.clone_from(&arguments.classes);
+    }
+    plan
+}
+
+/// The structures that were named, or all.
+fn structures(arguments: &CompareArguments) -> Vec<Structure> {
+    let named = |name: &String| STRUCTURES.iter().find(|structure| structure.name == *name);
+    match arguments.accel.is_empty() {
+        true => STRUCTURES.to_vec(),
+        false => arguments.accel.iter().filter_map(named).copied().collect(),
+    }
+}
+
+fn encoded(pictures: &[(String, crate::image_io::Picture)]) -> Result<PictureFiles, Failure> {
+    let png = |(name, picture): &(String, _)| {
+        encode(picture, Format::Png).map(|bytes| (name.clone(), bytes)).map_err(Failure::new)
+    };
+    pictures.iter().map(png).collect()
+}
+
+/// This process's command, quoted for a shell.
+fn command() -> String {
+    let arguments = std::env::args_os().skip(1);
+    let quoted = arguments.map(|argument| quoted(&argument.to_string_lossy()));
+    std::iter::once("srt".to_owned()).chain(quoted).collect::<Vec<_>>().join(" ")
+}
+
+/// A word as a POSIX shell reads it.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "-_./=,:%+@".contains(c);
+    match !word.is_empty() && word.chars().all(plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', r"'\''")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_quoted_where_a_shell_would_read_them_otherwise() {
+        assert_eq!(quoted("scenes/hall.sce"), "scenes/hall.sce");
+        assert_eq!(quoted("my scene's.sce"), r"'my scene'\''s.sce'");
+        assert_eq!(quoted(""), "''");
+    }
+
+    #[test]
+    fn folders_are_named_by_their_scenes() {
+        let folder = |scenes: &[&str]| {
+            let scenes: Vec<_> = scenes.iter().map(PathBuf::from).collect();
+            default_folder(&scenes).display().to_string()
+        };
+        assert!(folder(&["a/hall-x.sce"]).contains("-hall-x"));
+        assert!(folder(&["hall-x.sce", "b.sce", "c.sce"]).contains("-hall-x-and-2-more"));
+    }
+}

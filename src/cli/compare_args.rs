@@ -1,0 +1,118 @@
+//! What is typed for `srt compare` and `srt report`.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::{Args, value_parser};
+
+use super::args::named;
+use super::values::{Size, percent, seconds};
+use crate::accel::Quality;
+use crate::description::Options;
+use crate::record::RayClass;
+use crate::scene::STRUCTURES;
+
+/// `srt compare`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The folder gets report.html, report.md, report.csv, report.json and the pictures.\n\n\
+Exit codes: 0 all answers are equal and nothing became slower; 1 a structure failed or its answers\n\
+differ, or --baseline shows a regression; 2 trouble; 130 interrupted: what was done is written.\n\n\
+Examples:\n  \
+srt compare scenes/hall.sce\n  \
+srt compare scenes/*.sce --accel bvh,cwbvh --budget 60 --out results/trees\n  \
+srt compare scenes/hall.sce --baseline results/old/report.json --fail-above 10%")]
+pub(crate) struct CompareArguments {
+    /// The scene files (sce1.0)
+    #[arg(value_name = "SCENE", required = true)]
+    pub(crate) scenes: Vec<PathBuf>,
+
+    /// The acceleration structures, with commas between them [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = structure_names())]
+    pub(crate) accel: Vec<String>,
+
+    /// The classes of rays that are timed, with commas between them [default: view, shadow,
+    /// mirror, refraction]
+    #[arg(long, value_name = "CLASSES", value_delimiter = ',',
+        value_parser = named(&RayClass::ALL, RayClass::name))]
+    pub(crate) classes: Vec<RayClass>,
+
+    /// How long a build may take for a better tree
+    #[arg(long, value_name = "QUALITY", default_value = Quality::default().name(),
+        value_parser = named(&Quality::ALL, Quality::name))]
+    pub(crate) build: Quality,
+
+    /// Threads that build and render [default: one a processor]; rays are timed on one
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+
+    /// How long all of it may take [default: 30 for each scene, at most 150]
+    ///
+    /// A scene may go on a little longer, until the first round of each measurement is whole.
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = seconds)]
+    pub(crate) budget: Option<Duration>,
+
+    /// Rounds of each measurement at least, if the budget allows
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 10,
+        value_parser = value_parser!(u32).range(1..=400))]
+    pub(crate) rounds: u32,
+
+    /// Width and height of the pictures [default: as the scene says, at most 300 pixels a side]
+    #[arg(long, value_name = "WxH")]
+    pub(crate) size: Option<Size>,
+
+    /// N × N samples a pixel; 0 is one ray through its centre [default: as the scene says, at most 2]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = value_parser!(u32).range(0..=i64::from(Options::MAX_AA)))]
+    pub(crate) aa: Option<u32>,
+
+    /// Where random numbers start
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) seed: u64,
+
+    /// The folder to write [default: results/<date>-<scene>]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+
+    /// An older report.json to compare with
+    #[arg(long, value_name = "FILE")]
+    pub(crate) baseline: Option<PathBuf>,
+
+    /// How much slower than the baseline is a regression, if the whole 95 % interval is beyond it
+    #[arg(long, value_name = "PERCENT", default_value = "10%", allow_negative_numbers = true,
+        value_parser = percent, requires = "baseline")]
+    pub(crate) fail_above: f64,
+
+    /// Take unknown commands of the scenes as warnings
+    #[arg(long)]
+    pub(crate) lenient: bool,
+
+    /// Print nothing but errors; the files and the exit code tell
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+}
+
+/// `srt report`.
+#[derive(Debug, Args)]
+#[command(after_help = "Pictures are taken from the folder of FILE.\n\n\
+    Example:\n  srt report results/old/report.json --out results/again")]
+pub(crate) struct ReportArguments {
+    /// A report.json that `srt compare` wrote
+    #[arg(value_name = "FILE")]
+    pub(crate) record: PathBuf,
+
+    /// The folder to write [default: that of FILE]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+
+    /// Print nothing but errors
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+}
+
+/// The names of the structures, with what they are.
+fn structure_names() -> PossibleValuesParser {
+    STRUCTURES.iter().map(|s| PossibleValue::new(s.name).help(s.summary)).into()
+}

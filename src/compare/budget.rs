@@ -1,0 +1,41 @@
+//! Time to spend, in shares. Knows nothing of what it is spent on.
+
+use std::time::{Duration, Instant};
+
+/// What is spent where nobody set a limit: shares are taken of it, rounds end by themselves.
+const UNLIMITED: Duration = Duration::from_secs(600);
+
+/// A part of the time that a comparison was given.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Budget {
+    start: Instant,
+    length: Duration,
+}
+
+impl Budget {
+    /// All of it, from now on; `None` has room for every round that the rule asks for.
+    pub(super) fn from_now(length: Option<Duration>) -> Self {
+        Self { start: Instant::now(), length: length.unwrap_or(UNLIMITED) }
+    }
+
+    /// What is left.
+    pub(super) fn left(&self) -> Duration {
+        self.length.saturating_sub(self.start.elapsed())
+    }
+
+    /// Whether nothing is left.
+    pub(super) fn is_spent(&self) -> bool {
+        self.left().is_zero()
+    }
+
+    /// A share of what is left, from now on.
+    pub(super) fn share(&self, share: f64) -> Self {
+        Self { start: Instant::now(), length: self.left().mul_f64(share.clamp(0.0, 1.0)) }
+    }
+
+    /// The share of it that is spent, from 0 to 1.
+    pub(super) fn spent(&self) -> f64 {
+        let length = self.length.as_secs_f64();
+        if length > 0.0 { (self.start.elapsed().as_secs_f64() / length).min(1.0) } else { 1.0 }
+    }
+}

@@ -1,0 +1,56 @@
+//! What building takes, on one thread and on all, in interleaved rounds.
+
+use crate::record::RoundRule;
+
+use super::Stage;
+use super::budget::Budget;
+use super::clock::timed;
+use super::entrant::Entrant;
+use super::guard::guarded;
+use super::machine::{forget_peak, peak_resident_bytes};
+use super::quality;
+use super::rounds::{Repeat, interleaved};
+
+/// Builds all structures on all threads, to be traced, and notes what they are.
+pub(super) fn build_all(entrants: &mut [Entrant<'_>], stage: &Stage<'_>) {
+    for entrant in entrants {
+        let anew = forget_peak();
+        stage.pools.all.install(|| entrant.build(stage.scene, &stage.plan.build));
+        let peak = if anew { peak_resident_bytes() } else { None };
+        if let Some(report) = entrant.report() {
+            entrant.record.shape = Some(quality::shape(&report, stage.scene));
+            entrant.record.memory = Some(quality::memory(&report, peak));
+        }
+    }
+}
+
+/// Measures builds; the ones that [`build_all`] made have warmed everything up.
+pub(super) fn measure(entrants: &mut [Entrant<'_>], stage: &Stage<'_>, budget: Budget) {
+    let Stage { scene, plan, pools, .. } = stage;
+    let fit: Vec<usize> = (0..entrants.len()).filter(|&i| entrants[i].is_fit()).collect();
+    let rule = RoundRule { warmup: 0, ..plan.rounds.clone() };
+    let repeat = Repeat { rule: &rule, budget, cancelled: &|| (stage.cancelled)() };
+    // Lane 2i is the i-th on one thread, lane 2i + 1 on all.
+    let rounds = interleaved(2 * fit.len(), &repeat, |lane| {
+        let entrant = &mut entrants[fit[lane / 2]];
+        let pool = if lane % 2 == 0 { &pools.one } else { &pools.all };
+        let build = || timed(|| entrant.structure.build(scene, &plan.build));
+        match pool.install(|| guarded(build)) {
+            Ok((world, round)) => {
+                drop(world);
+                Some((round.wall_ns, round.wall_ns))
+            }
+            Err(message) => {
+                entrant.fail(message);
+                None
+            }
+        }
+    });
+    for (lane, rounds) in rounds.into_iter().enumerate() {
+        let build = &mut entrants[fit[lane / 2]].record.build;
+        match lane % 2 {
+            0 => build.one_thread_ns = rounds,
+            _ => build.all_threads_ns = rounds,
+        }
+    }
+}

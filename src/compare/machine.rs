@@ -1,0 +1,108 @@
+//! The machine and the build, as far as they tell. Linux tells most; elsewhere fields stay absent.
+
+use std::fs;
+
+use crate::record::{Machine, Run};
+
+/// What is known of the machine now.
+pub(super) fn machine() -> Machine {
+    Machine {
+        cpu: processor().unwrap_or_else(|| std::env::consts::ARCH.to_owned()),
+        cores: std::thread::available_parallelism()
+            .map_or(1, |n| u32::try_from(n.get()).unwrap_or(u32::MAX)),
+        memory_bytes: kibibytes("/proc/meminfo", "MemTotal:"),
+        os: system(),
+        instruction_set: instruction_set(),
+        governor: text("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor"),
+        load_at_start: load(),
+    }
+}
+
+/// How this program was built; the rest of the run is still to be filled in.
+pub(super) fn build_of_program() -> Run {
+    let told = |value: Option<&str>| value.unwrap_or_default().to_owned();
+    Run {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        commit: option_env!("SRT_COMMIT").map(str::to_owned),
+        compiler: told(option_env!("SRT_COMPILER")),
+        profile: told(option_env!("SRT_PROFILE")),
+        flags: told(option_env!("SRT_FLAGS")),
+        machine: machine(),
+        ..Run::default()
+    }
+}
+
+/// The most memory that the process had resident since [`forget_peak`].
+pub(super) fn peak_resident_bytes() -> Option<u64> {
+    kibibytes("/proc/self/status", "VmHWM:")
+}
+
+/// Starts the peak anew; false where the system does not.
+pub(super) fn forget_peak() -> bool {
+    fs::write("/proc/self/clear_refs", "5").is_ok()
+}
+
+/// The widest of the instruction sets that the program was compiled for: it uses no other.
+fn instruction_set() -> String {
+    let compiled = option_env!("SRT_FEATURES").unwrap_or_default();
+    let has = |feature: &&str| compiled.split(',').any(|compiled| compiled == *feature);
+    let widest = ["avx512f", "avx2", "avx", "sse4.2", "sse2", "neon"].into_iter().find(has);
+    match widest {
+        Some(name @ ("sse2" | "neon")) => format!("{name} (portable)"),
+        Some(name) => name.to_owned(),
+        None => "scalar".to_owned(),
+    }
+}
+
+fn processor() -> Option<String> {
+    value("/proc/cpuinfo", "model name").map(|name| name.trim_start_matches([':', ' ']).to_owned())
+}
+
+fn system() -> String {
+    let kernel = text("/proc/sys/kernel/osrelease").unwrap_or_default();
+    let name =
+        value("/etc/os-release", "PRETTY_NAME=").map(|name| name.trim_matches('"').to_owned());
+    let parts = [std::env::consts::OS, &kernel];
+    let system = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ");
+    name.map_or(system.clone(), |name| format!("{name}, {system}"))
+}
+
+fn load() -> Option<[f64; 3]> {
+    let text = text("/proc/loadavg")?;
+    let mut numbers = text.split_whitespace().map_while(|word| word.parse().ok());
+    Some([numbers.next()?, numbers.next()?, numbers.next()?])
+}
+
+/// A small file's text; `None` if there is none.
+fn text(path: &str) -> Option<String> {
+    let text = fs::read_to_string(path).ok()?;
+    let text = text.trim();
+    (!text.is_empty()).then(|| text.to_owned())
+}
+
+/// What follows a word at the beginning of a line.
+fn value(path: &str, word: &str) -> Option<String> {
+    let text = fs::read_to_string(path).ok()?;
+    let rest = text.lines().find_map(|line| line.strip_prefix(word))?;
+    Some(rest.trim().to_owned())
+}
+
+/// A line such as `MemTotal:  24000000 kB`, in bytes.
+fn kibibytes(path: &str, word: &str) -> Option<u64> {
+    let value = value(path, word)?;
+    Some(1024 * value.split_whitespace().next()?.parse::<u64>().ok()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_machine_has_a_processor_and_the_build_a_version() {
+        let run = build_of_program();
+        assert!(run.machine.cores >= 1);
+        assert!(!run.machine.cpu.is_empty() && !run.machine.os.is_empty());
+        assert_eq!(run.version, env!("CARGO_PKG_VERSION"));
+        assert!(run.compiler.starts_with("rustc"), "{}", run.compiler);
+    }
+}

@@ -1,0 +1,143 @@
+//! What is to be compared: plain data, made by whoever asks.
+
+use std::time::Duration;
+
+use crate::accel::BuildConfig;
+use crate::record::{RayClass, RoundRule};
+use crate::render::{Sampling, Settings};
+use crate::scene::Scene;
+
+/// A scene, ready to be traced, and what a report calls it.
+#[derive(Clone, Debug)]
+pub struct SceneInput {
+    /// A short name, different from that of every other scene; files are named by it.
+    pub name: String,
+    /// The scene's file, as typed.
+    pub path: String,
+    /// SHA-256 of the scene's file and of all files that it names, hexadecimal.
+    pub hash: String,
+    /// The scene.
+    pub scene: Scene,
+}
+
+/// What pictures are rendered with. What is absent is as the scene says, within
+/// [`LARGEST_SIDE`](Self::LARGEST_SIDE) and [`LARGEST_AA`](Self::LARGEST_AA).
+#[derive(Clone, Copy, Debug)]
+pub struct PictureOptions {
+    /// Width and height in pixels.
+    pub size: Option<[u32; 2]>,
+    /// View samples along each side of a pixel.
+    pub aa: Option<u32>,
+    /// Light samples along each side of an area light.
+    pub light_samples: u32,
+    /// How many times a view ray may be mirrored or refracted.
+    pub max_recursion: Option<u32>,
+    /// How area lights are sampled.
+    pub sampling: Sampling,
+    /// Where random numbers start.
+    pub seed: u64,
+}
+
+impl Default for PictureOptions {
+    fn default() -> Self {
+        Self {
+            size: None,
+            aa: None,
+            light_samples: 1,
+            max_recursion: None,
+            sampling: Sampling::default(),
+            seed: 0,
+        }
+    }
+}
+
+impl PictureOptions {
+    /// The longer side of a picture whose size nobody asked for.
+    pub const LARGEST_SIDE: u32 = 300;
+    /// Samples along each side of a pixel, if nobody asked for more.
+    pub const LARGEST_AA: u32 = 2;
+
+    /// The settings of a scene's picture.
+    pub(super) fn settings(&self, scene: &Scene) -> Settings {
+        let of_scene = Settings::of_scene(scene);
+        let [width, height] =
+            self.size.unwrap_or_else(|| fit([of_scene.width, of_scene.height], Self::LARGEST_SIDE));
+        Settings {
+            width,
+            height,
+            aa: self.aa.unwrap_or(of_scene.aa.min(Self::LARGEST_AA)),
+            light_samples: self.light_samples,
+            max_recursion: self.max_recursion.unwrap_or(of_scene.max_recursion),
+            sampling: self.sampling,
+            seed: self.seed,
+            ..of_scene
+        }
+    }
+}
+
+/// The size of the same shape whose longer side is at most `largest` pixels.
+pub(super) fn fit(size: [u32; 2], largest: u32) -> [u32; 2] {
+    let longer = size[0].max(size[1]).max(1);
+    if longer <= largest {
+        return size;
+    }
+    let scaled = |side: u32| u64::from(side) * u64::from(largest) / u64::from(longer);
+    size.map(|side| scaled(side).max(1) as u32)
+}
+
+/// What is to be compared, and how long that may take.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The command that asked, quoted for a shell.
+    pub command: String,
+    /// The scenes.
+    pub scenes: Vec<SceneInput>,
+    /// The classes of rays that are replayed, where a scene has them.
+    pub classes: Vec<RayClass>,
+    /// How pictures are rendered.
+    pub picture: PictureOptions,
+    /// How structures are built.
+    pub build: BuildConfig,
+    /// Threads that render, and that builds on all threads use.
+    pub threads: usize,
+    /// How long the whole may take; `None` for as long as the rounds need.
+    pub budget: Option<Duration>,
+    /// When rounds end.
+    pub rounds: RoundRule,
+    /// The most rays of a class that are recorded.
+    pub rays_per_class: usize,
+}
+
+impl Plan {
+    /// The classes of rays that a renderer sends.
+    pub const USUAL_CLASSES: [RayClass; 4] =
+        [RayClass::View, RayClass::Shadow, RayClass::Mirror, RayClass::Refraction];
+
+    /// A plan for some scenes; everything else as the command's defaults are.
+    #[must_use]
+    pub fn of_scenes(scenes: Vec<SceneInput>) -> Self {
+        Self {
+            command: String::new(),
+            scenes,
+            classes: Self::USUAL_CLASSES.to_vec(),
+            picture: PictureOptions::default(),
+            build: BuildConfig::default(),
+            threads: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
+            budget: None,
+            rounds: RoundRule { warmup: 1, at_least: 10, relative_interval: 0.02 },
+            rays_per_class: 200_000,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_keep_their_shape() {
+        assert_eq!(fit([480, 320], 300), [300, 200]);
+        assert_eq!(fit([100, 50], 300), [100, 50]);
+        assert_eq!(fit([65_535, 1], 300), [300, 1]);
+    }
+}

@@ -1,0 +1,287 @@
+//! One scene: all structures, one step after the other.
+
+use std::time::Duration;
+
+use crate::accel::{BuildConfig, Tracer};
+use crate::image_io::Picture;
+use crate::record::{Proof, RayClass, SceneRecord, StructureProof};
+use crate::render::Settings;
+use crate::scene::{Scene, Structure, structure_named};
+
+use super::budget::Budget;
+use super::entrant::Entrant;
+use super::plan::{Plan, SceneInput};
+use super::progress::Progress;
+use super::record_rays::{Limits, Recording, record};
+use super::{Pools, builds, extra_rays, pictures, proof, replay};
+
+/// What all steps of a scene share.
+pub(super) struct Stage<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) plan: &'a Plan,
+    pub(super) pools: &'a Pools,
+    pub(super) cancelled: &'a (dyn Fn() -> bool + Sync),
+}
+
+/// What came of a scene.
+pub(super) struct SceneOutcome {
+    pub(super) record: SceneRecord,
+    /// Pictures by the names of their files.
+    pub(super) pictures: Vec<(String, Picture)>,
+    /// What a reader should know of it.
+    pub(super) notes: Vec<String>,
+}
+
+/// The scene while it is being compared.
+struct Work<'a> {
+    stage: Stage<'a>,
+    input: &'a SceneInput,
+    entrants: Vec<Entrant<'a>>,
+    recording: Recording,
+    /// For each structure, the time of a ray of each class of the recording.
+    ray_times: Vec<Vec<Option<Duration>>>,
+    outcome: SceneOutcome,
+}
+
+/// Compares structures in a scene.
+pub(super) fn compare_scene(
+    input: &SceneInput,
+    structures: &[Structure],
+    plan: &Plan,
+    pools: &Pools,
+    budget: Budget,
+    progress: &Progress<'_>,
+) -> SceneOutcome {
+    let cancelled = || progress.cancelled();
+    let stage = Stage { scene: &input.scene, plan, pools, cancelled: &cancelled };
+    let mut work = Work {
+        stage,
+        input,
+        entrants: structures.iter().map(Entrant::new).collect(),
+        recording: Recording::default(),
+        ray_times: Vec::new(),
+        outcome: empty(input),
+    };
+    for (what, step) in steps() {
+        if progress.cancelled() {
+            work.entrants.iter_mut().for_each(Entrant::stop);
+            break;
+        }
+        progress.step(&format!("{}: {what}", input.name), budget);
+        step(&mut work, budget);
+    }
+    if progress.cancelled() {
+        work.entrants.iter_mut().for_each(Entrant::stop);
+    }
+    let mut outcome = work.outcome;
+    outcome.record.structures = work.entrants.into_iter().map(|entrant| entrant.record).collect();
+    outcome
+}
+
+/// A step of a scene, and what it is called.
+type Step<'a> = (&'static str, fn(&mut Work<'a>, Budget));
+
+/// What is done in a scene: first what proves, then what measures.
+fn steps<'a>() -> [Step<'a>; 7] {
+    [
+        ("building", |work, _| builds::build_all(&mut work.entrants, &work.stage)),
+        ("recording rays", Work::record),
+        ("comparing hits", Work::prove_hits),
+        ("rendering", Work::render),
+        ("drawing heatmaps", Work::draw_heatmaps),
+        ("timing builds", |work, budget| {
+            builds::measure(&mut work.entrants, &work.stage, budget.share(0.25));
+        }),
+        ("timing rays", Work::replay),
+    ]
+}
+
+fn empty(input: &SceneInput) -> SceneOutcome {
+    let record = SceneRecord {
+        name: input.name.clone(),
+        path: input.path.clone(),
+        hash: input.hash.clone(),
+        objects: input.scene.objects.len() as u64,
+        triangles: input.scene.meshes().iter().map(|mesh| mesh.triangles.len() as u64).sum(),
+        lights: input.scene.lights.len() as u64,
+        ..SceneRecord::default()
+    };
+    SceneOutcome { record, pictures: Vec::new(), notes: Vec::new() }
+}
+
+impl Work<'_> {
+    fn settings(&self) -> Settings {
+        self.stage.plan.picture.settings(self.stage.scene)
+    }
+
+    /// Records the rays, and takes a quick look at how long each structure needs for them.
+    fn record(&mut self, budget: Budget) {
+        let Stage { scene, plan, pools, cancelled } = self.stage;
+        // Any structure that keeps the contract will do, so a known one traces.
+        let Some(guide) = structure_named("bvh") else { return };
+        let guide = pools.all.install(|| guide.build(scene, &BuildConfig::default()));
+        let guide: &dyn Tracer = &*guide;
+        let limits = Limits {
+            per_class: plan.rays_per_class,
+            traced: (budget.left().as_secs_f64() * 100_000.0).clamp(1e5, 2e6) as u64,
+        };
+        let settings = self.settings();
+        let seed = settings.seed;
+        self.recording = pools.one.install(|| record(scene, guide, &settings, limits, cancelled));
+        if plan.classes.contains(&RayClass::Diffuse)
+            && let Some(view) = self.recording.sets.iter().find(|set| set.class == RayClass::View)
+        {
+            let diffuse = extra_rays::diffuse(scene, guide, &view.rays, seed);
+            self.recording.sets.push(diffuse);
+        }
+        if plan.classes.contains(&RayClass::Random) {
+            let count = plan.rays_per_class.min(50_000);
+            self.recording.sets.push(extra_rays::random(scene, count, seed));
+        }
+        self.recording.sets.retain(|set| !set.rays.is_empty());
+        let sets = &self.recording.sets;
+        let probe_all = |entrant: &mut Entrant<'_>| {
+            sets.iter().map(|set| replay::probe(entrant, set)).collect()
+        };
+        self.ray_times = self.entrants.iter_mut().map(probe_all).collect();
+    }
+
+    /// How long each structure needs for so many view samples and all that follows.
+    fn estimates(&self, samples: f64) -> Vec<Option<Duration>> {
+        let threads = self.stage.plan.threads;
+        let times = self.ray_times.iter().zip(&self.entrants);
+        times
+            .map(|(times, entrant)| {
+                let times = entrant.is_fit().then_some(times)?;
+                pictures::estimate(&self.recording, times, samples, threads)
+            })
+            .collect()
+    }
+
+    /// Compares all answers with the reference's: `none`, if it has time for a picture; else the
+    /// first structure that has.
+    fn prove_hits(&mut self, budget: Budget) {
+        let fit =
+            pictures::that_fit(&self.estimates(self.samples()), picture_budget(budget).left());
+        let none = fit.iter().copied().find(|&i| self.entrants[i].structure.name == "none");
+        let any = || (0..self.entrants.len()).find(|&i| self.entrants[i].is_fit());
+        let Some(reference) = none.or_else(|| fit.first().copied()).or_else(any) else { return };
+        let classes = self.recording.sets.len().max(1) as f64;
+        let lanes = 2.0 * self.entrants.len() as f64;
+        let share = budget.left().mul_f64(0.1 / lanes / classes);
+        let times = &self.ray_times;
+        let sets = &self.recording.sets;
+        let expected =
+            proof::expected(&mut self.entrants[reference], sets, &times[reference], share);
+        let mut proofs = Vec::new();
+        for (entrant, times) in self.entrants.iter_mut().zip(times) {
+            let structure = entrant.structure.name.to_owned();
+            let mut proof = StructureProof { structure, ..StructureProof::default() };
+            if (self.stage.cancelled)() {
+                break;
+            }
+            proof::check_rays(entrant, &expected, times, share, &mut proof);
+            if let Some(text) = &proof.first_difference {
+                entrant.fail(format!("its answers differ: {text}"));
+            }
+            if proof.rays_checked > 0 {
+                proofs.push(proof);
+            }
+        }
+        let reference = self.entrants[reference].structure.name.to_owned();
+        self.outcome.record.proof = Some(Proof { reference, structures: proofs });
+    }
+
+    /// View samples of the picture.
+    fn samples(&self) -> f64 {
+        let settings = self.settings();
+        f64::from(settings.width)
+            * f64::from(settings.height)
+            * f64::from(settings.samples_per_pixel())
+    }
+
+    /// Renders the picture with all structures that have the time, and compares.
+    fn render(&mut self, budget: Budget) {
+        let budget = picture_budget(budget);
+        let settings = self.settings();
+        let estimates = self.estimates(self.samples());
+        let fit = pictures::that_fit(&estimates, budget.left());
+        self.note_missing(&fit, &estimates, "picture");
+        let all =
+            pictures::measure(&mut self.entrants, &fit, &settings, &self.stage, budget.share(0.5));
+        let Some(proof) = &mut self.outcome.record.proof else { return };
+        let named = |name: &str| self.entrants.iter().position(|e| e.structure.name == name);
+        let reference = named(&proof.reference).and_then(|i| all[i].clone());
+        let Some(reference) = reference.or_else(|| all.iter().flatten().next().cloned()) else {
+            return;
+        };
+        let mut differing = Vec::new();
+        for entry in &mut proof.structures {
+            if let Some(own) = named(&entry.structure).and_then(|i| all[i].as_ref()) {
+                proof::check_picture(&reference, own, entry);
+                if entry.picture_equal == Some(false) {
+                    let index = named(&entry.structure);
+                    differing.extend(index.map(|i| (i, entry.differing_pixels)));
+                }
+            }
+        }
+        for (index, pixels) in differing {
+            self.entrants[index].fail(format!("its picture differs in {pixels} pixels"));
+        }
+        let file = format!("{}.png", self.input.name);
+        self.outcome.record.picture = Some(pictures::picture_file(file.clone(), &reference));
+        self.outcome.pictures.push((file, reference));
+    }
+
+    fn draw_heatmaps(&mut self, budget: Budget) {
+        let settings = pictures::heat_settings(&self.settings());
+        let samples = f64::from(settings.width) * f64::from(settings.height);
+        let estimates = self.estimates(samples);
+        let fit = pictures::that_fit(&estimates, budget.share(0.2).left());
+        self.note_missing(&fit, &estimates, "heatmap");
+        let (scale, maps) = pictures::heatmaps(&mut self.entrants, &fit, &settings, &self.stage);
+        self.outcome.record.heat_scale = scale;
+        for (index, picture) in maps {
+            let entrant = &mut self.entrants[index];
+            let file = format!("{}-heatmap-{}.png", self.input.name, entrant.structure.name);
+            entrant.record.heatmap = Some(pictures::picture_file(file.clone(), &picture));
+            self.outcome.pictures.push((file, picture));
+        }
+    }
+
+    fn note_missing(&mut self, fit: &[usize], estimates: &[Option<Duration>], what: &str) {
+        for (index, entrant) in self.entrants.iter().enumerate() {
+            if let Some(time) = estimates[index].filter(|_| !fit.contains(&index)) {
+                self.outcome.notes.push(format!(
+                    "{}: `{}` made no {what}: it would have taken about {:.0} s, beyond its share \
+                     of the budget.",
+                    self.input.name,
+                    entrant.structure.name,
+                    time.as_secs_f64().max(1.0),
+                ));
+            }
+        }
+    }
+
+    /// Replays every class.
+    fn replay(&mut self, budget: Budget) {
+        let classes = &self.stage.plan.classes;
+        let wanted: Vec<usize> = (0..self.recording.sets.len())
+            .filter(|&i| classes.contains(&self.recording.sets[i].class))
+            .collect();
+        for (done, &index) in wanted.iter().enumerate() {
+            if (self.stage.cancelled)() {
+                return;
+            }
+            let times: Vec<_> = self.ray_times.iter().map(|times| times[index]).collect();
+            let share = budget.share(1.0 / (wanted.len() - done) as f64);
+            let set = &self.recording.sets[index];
+            replay::replay(&mut self.entrants, set, &times, &self.stage, share);
+        }
+    }
+}
+
+/// What rendering may take of what is left of a scene's time.
+fn picture_budget(budget: Budget) -> Budget {
+    budget.share(0.45)
+}
