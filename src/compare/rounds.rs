@@ -80,7 +80,8 @@ fn is_enough(rule: &RoundRule, kept: usize, times: &[Vec<f64>], left: &[bool]) -
         width.is_some_and(|width| width <= rule.relative_interval)
     };
     let lanes = || times.iter().zip(left).filter(|(_, left)| !**left);
-    kept >= MOST_ROUNDS || (kept % CHECK_EVERY == 0 && lanes().all(|(times, _)| narrow(times)))
+    kept >= MOST_ROUNDS
+        || (kept.is_multiple_of(CHECK_EVERY) && lanes().all(|(times, _)| narrow(times)))
 }
 
 #[cfg(test)]
