@@ -14,7 +14,7 @@ use super::output::print;
 use super::result_folder::{PictureFiles, ResultFolder, read_record};
 use super::terminal::{tell, tell_error};
 use crate::accel::BuildConfig;
-use crate::compare::{self, PictureOptions, Plan, SceneInput};
+use crate::compare::{self, PictureOptions, Plan, SceneInput, SweepPlan};
 use crate::image_io::{Format, encode};
 use crate::record::Comparison;
 use crate::record::baseline::Changes;
@@ -24,6 +24,7 @@ use crate::scene::{STRUCTURES, Structure};
 /// Seconds for each scene, and for all, if nobody says how many.
 const SECONDS_A_SCENE: u64 = 30;
 const MOST_SECONDS: u64 = 150;
+const SECONDS_A_SWEEP: u64 = 60;
 
 /// Compares, writes the report and prints its table.
 pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcome {
@@ -115,7 +116,7 @@ fn stem(path: &Path) -> String {
 /// `results/<date>-<scene>`, with a number behind it where that is taken.
 fn default_folder(scenes: &[PathBuf]) -> PathBuf {
     let date = jiff::Zoned::now().strftime("%Y-%m-%d").to_string();
-    let first = scenes.first().map_or_else(String::new, |path| stem(path));
+    let first = scenes.first().map_or_else(|| "sweep".to_owned(), |path| stem(path));
     let more = match scenes.len() {
         0 | 1 => String::new(),
         n => format!("-and-{}-more", n - 1),
@@ -128,7 +129,8 @@ fn default_folder(scenes: &[PathBuf]) -> PathBuf {
 }
 
 fn plan(arguments: &CompareArguments, scenes: Vec<SceneInput>) -> Plan {
-    let seconds = (SECONDS_A_SCENE * scenes.len() as u64).min(MOST_SECONDS);
+    let for_sweep = if arguments.sweep.is_some() { SECONDS_A_SWEEP } else { 0 };
+    let seconds = (SECONDS_A_SCENE * scenes.len() as u64).min(MOST_SECONDS) + for_sweep;
     let mut plan = Plan::of_scenes(scenes);
     plan.command = command();
     plan.budget = Some(arguments.budget.unwrap_or(Duration::from_secs(seconds)));
@@ -141,6 +143,10 @@ fn plan(arguments: &CompareArguments, scenes: Vec<SceneInput>) -> Plan {
         seed: arguments.seed,
         ..PictureOptions::default()
     };
+    plan.sweep = arguments.sweep.zip(arguments.mesh).map(|((first, last), mesh)| SweepPlan {
+        mesh,
+        sizes: SweepPlan::sizes_between(first, last),
+    });
     if !arguments.classes.is_empty() {
         plan.classes.clone_from(&arguments.classes);
     }

@@ -6,9 +6,10 @@ use std::time::Duration;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, value_parser};
 
-use super::args::named;
-use super::values::{Size, percent, seconds};
+use super::args::{described, named};
+use super::values::{Size, percent, seconds, sizes};
 use crate::accel::Quality;
+use crate::assets::generate::Kind;
 use crate::description::Options;
 use crate::record::RayClass;
 use crate::scene::STRUCTURES;
@@ -22,10 +23,11 @@ differ, or --baseline shows a regression; 2 trouble; 130 interrupted: what was d
 Examples:\n  \
 srt compare scenes/hall.sce\n  \
 srt compare scenes/*.sce --accel bvh,cwbvh --budget 60 --out results/trees\n  \
+srt compare --sweep 1k..10M --mesh hall --budget 300\n  \
 srt compare scenes/hall.sce --baseline results/old/report.json --fail-above 10%")]
 pub(crate) struct CompareArguments {
     /// The scene files (sce1.0)
-    #[arg(value_name = "SCENE", required = true)]
+    #[arg(value_name = "SCENE", required_unless_present = "sweep")]
     pub(crate) scenes: Vec<PathBuf>,
 
     /// The acceleration structures, with commas between them [default: all]
@@ -48,7 +50,7 @@ pub(crate) struct CompareArguments {
         value_parser = value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
 
-    /// How long all of it may take [default: 30 for each scene, at most 150]
+    /// How long all of it may take [default: 30 for each scene, at most 150; 60 more for --sweep]
     ///
     /// A scene may go on a little longer, until the first round of each measurement is whole.
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = seconds)]
@@ -71,6 +73,15 @@ pub(crate) struct CompareArguments {
     /// Where random numbers start
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub(crate) seed: u64,
+
+    /// Measure growth too: sizes of a generated mesh in triangles, such as 1k..10M
+    #[arg(long, value_name = "A..B", value_parser = sizes, requires = "mesh")]
+    pub(crate) sweep: Option<(u32, u32)>,
+
+    /// The mesh that grows
+    #[arg(long, value_name = "KIND", requires = "sweep",
+        value_parser = described(&Kind::ALL, Kind::name, Kind::description))]
+    pub(crate) mesh: Option<Kind>,
 
     /// The folder to write [default: results/<date>-<scene>]
     #[arg(long, value_name = "DIR")]

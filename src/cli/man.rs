@@ -70,8 +70,16 @@ mod tests {
     fn every_subcommand_has_a_page() {
         let pages = pages().unwrap();
         let names: Vec<&str> = pages.iter().map(|(name, _)| name.as_str()).collect();
-        let expected =
-            ["srt.1", "srt-check.1", "srt-diff.1", "srt-mesh.1", "srt-completions.1", "srt-man.1"];
+        let expected = [
+            "srt.1",
+            "srt-check.1",
+            "srt-compare.1",
+            "srt-report.1",
+            "srt-diff.1",
+            "srt-mesh.1",
+            "srt-completions.1",
+            "srt-man.1",
+        ];
         assert_eq!(names, expected);
         assert!(pages.iter().all(|(_, page)| page.starts_with(b".ie")));
     }

@@ -33,6 +33,9 @@ pub(crate) enum ValueError {
     /// Not a time.
     #[error("expected a number of seconds above 0, such as 90 or 2.5")]
     Seconds,
+    /// Not two sizes of meshes.
+    #[error("expected two numbers of triangles, the smaller first, up to 100M, such as 1k..10M")]
+    Sizes,
     /// Not a percentage.
     #[error("expected a percentage from 0, such as 10%")]
     Percent,
@@ -96,6 +99,25 @@ pub(super) fn seconds(text: &str) -> Result<Duration, ValueError> {
     if fits { Ok(Duration::from_secs_f64(seconds)) } else { Err(ValueError::Seconds) }
 }
 
+/// Reads two sizes of meshes, `1k..10M`.
+pub(super) fn sizes(text: &str) -> Result<(u32, u32), ValueError> {
+    let (first, last) = text.split_once("..").ok_or(ValueError::Sizes)?;
+    let first = triangles(first).ok_or(ValueError::Sizes)?;
+    let last = triangles(last).ok_or(ValueError::Sizes)?;
+    if first <= last { Ok((first, last)) } else { Err(ValueError::Sizes) }
+}
+
+/// A number of triangles, with `k` or `M` behind it for thousands or millions.
+fn triangles(text: &str) -> Option<u32> {
+    let text = text.trim();
+    let (digits, factor) = match text.strip_suffix(['k', 'K']) {
+        Some(digits) => (digits, 1_000),
+        None => text.strip_suffix('M').map_or((text, 1), |digits| (digits, 1_000_000)),
+    };
+    let count = number(digits)?.checked_mul(factor)?;
+    (1..=MAX_TRIANGLES).contains(&count).then_some(count)
+}
+
 /// Reads a percentage, `10%` or `10`, as a share: 0.1.
 pub(super) fn percent(text: &str) -> Result<f64, ValueError> {
     let text = text.trim();
@@ -120,7 +142,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes() {
+    fn sizes_of_pictures() {
         assert_eq!("800x600".parse(), Ok(Size { width: 800, height: 600 }));
         assert_eq!("1X65535".parse(), Ok(Size { width: 1, height: 65_535 }));
         for bad in ["", "800", "800x", "x600", "-1x5", "+1x5", "8.5x4", "1x2x3", "axb"] {
@@ -161,6 +183,11 @@ mod tests {
         assert_eq!(seconds("2.5"), Ok(Duration::from_millis(2_500)));
         for bad in ["", "0", "-1", "nan", "inf", "1e9", "ten"] {
             assert_eq!(seconds(bad), Err(ValueError::Seconds), "{bad}");
+        }
+        assert_eq!(sizes("1k..10M"), Ok((1_000, 10_000_000)));
+        assert_eq!(sizes("5..5"), Ok((5, 5)));
+        for bad in ["", "1k", "1k..", "10M..1k", "0..5", "1..1000M", "1..99999M", "a..b"] {
+            assert_eq!(sizes(bad), Err(ValueError::Sizes), "{bad}");
         }
         assert_eq!((percent("10%"), percent("0"), percent("2.5 %")), (Ok(0.1), Ok(0.0), Ok(0.025)));
         for bad in ["", "%", "-1%", "nan", "inf%", "ten"] {

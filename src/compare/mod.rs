@@ -8,9 +8,10 @@
 //! | file | what |
 //! |---|---|
 //! | `plan.rs`, `budget.rs`, `observer.rs`, `progress.rs` | what is asked, the time for it, who watches |
-//! | `scene.rs` | one scene, step by step |
+//! | `scene.rs`, `picture_steps.rs` | one scene, step by step |
 //! | `record_rays.rs`, `extra_rays.rs` | the same rays for all |
 //! | `rounds.rs`, `replay.rs`, `builds.rs`, `pictures.rs`, `clock.rs` | what is timed |
+//! | `sweep.rs` | growth with the number of triangles |
 //! | `proof.rs`, `hash.rs` | that the answers are equal |
 //! | `entrant.rs`, `guard.rs`, `quality.rs` | a structure and its row; its panics; its form |
 //! | `machine.rs` | what measured |
@@ -57,6 +58,7 @@ mod guard;
 mod hash;
 mod machine;
 mod observer;
+mod picture_steps;
 mod pictures;
 mod plan;
 mod progress;
@@ -67,11 +69,12 @@ mod replay;
 mod rounds;
 mod run;
 mod scene;
+mod sweep;
 
 use rayon::ThreadPool;
 
 pub use observer::{Observer, Silent};
-pub use plan::{PictureOptions, Plan, SceneInput};
+pub use plan::{PictureOptions, Plan, SceneInput, SweepPlan};
 pub use run::{CompareError, Outcome, run};
 
 use scene::Stage;

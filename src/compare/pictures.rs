@@ -100,6 +100,23 @@ pub(super) fn measure(
     pictures
 }
 
+/// A structure's picture, not timed; `None` if it fails or the comparison is stopped.
+pub(super) fn render_once(
+    entrant: &mut Entrant<'_>,
+    settings: &Settings,
+    stage: &Stage<'_>,
+) -> Option<Picture> {
+    let render = |tracer: &dyn Tracer| {
+        let render = || render_with(stage.scene, tracer, settings, stage.cancelled);
+        stage.pools.all.install(render)
+    };
+    let rendering = entrant.attempt(render).filter(|rendering| rendering.complete)?;
+    match rendering.sight {
+        Sight::Picture(picture) => Some(picture),
+        Sight::Field { .. } => None,
+    }
+}
+
 /// A rendering that stops when the comparison is stopped.
 fn render_with(
     scene: &Scene,

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use crate::accel::BuildConfig;
+use crate::assets::generate::Kind;
 use crate::record::{RayClass, RoundRule};
 use crate::render::{Sampling, Settings};
 use crate::scene::Scene;
@@ -85,6 +86,27 @@ pub(super) fn fit(size: [u32; 2], largest: u32) -> [u32; 2] {
     size.map(|side| scaled(side).max(1) as u32)
 }
 
+/// A family of generated meshes of growing size.
+#[derive(Clone, Debug)]
+pub struct SweepPlan {
+    /// The family.
+    pub mesh: Kind,
+    /// Sizes in triangles, growing.
+    pub sizes: Vec<u32>,
+}
+
+impl SweepPlan {
+    /// The sizes between two that are evenly spread by factor, two for each power of ten; both
+    /// ends are among them.
+    #[must_use]
+    pub fn sizes_between(first: u32, last: u32) -> Vec<u32> {
+        let steps = (0..).map(|step| f64::from(first) * 10f64.powf(0.5 * f64::from(step)));
+        // A step that nearly reaches the end is left out for it.
+        let below = steps.take_while(|&size| size < 0.9 * f64::from(last));
+        below.map(|size| size.round() as u32).chain([last]).collect()
+    }
+}
+
 /// What is to be compared, and how long that may take.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -106,6 +128,8 @@ pub struct Plan {
     pub rounds: RoundRule,
     /// The most rays of a class that are recorded.
     pub rays_per_class: usize,
+    /// Growth with the number of triangles, if it is asked for.
+    pub sweep: Option<SweepPlan>,
 }
 
 impl Plan {
@@ -126,6 +150,7 @@ impl Plan {
             budget: None,
             rounds: RoundRule { warmup: 1, at_least: 10, relative_interval: 0.02 },
             rays_per_class: 200_000,
+            sweep: None,
         }
     }
 }
@@ -133,6 +158,13 @@ impl Plan {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sweeps_step_evenly_and_end_where_asked() {
+        assert_eq!(SweepPlan::sizes_between(1_000, 30_000), [1_000, 3_162, 10_000, 30_000]);
+        assert_eq!(SweepPlan::sizes_between(10, 100), [10, 32, 100]);
+        assert_eq!(SweepPlan::sizes_between(5, 5), [5]);
+    }
 
     #[test]
     fn sizes_keep_their_shape() {

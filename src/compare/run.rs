@@ -17,6 +17,7 @@ use super::observer::Observer;
 use super::plan::Plan;
 use super::progress::Progress;
 use super::scene::compare_scene;
+use super::sweep::sweep;
 
 /// What came of a plan.
 #[derive(Clone, Debug)]
@@ -82,7 +83,7 @@ pub fn run(
     let mut comparison = Comparison::new(describe(plan), base.name);
     let mut pictures = Vec::new();
     let budget = Budget::from_now(plan.budget);
-    let parts = plan.scenes.len();
+    let parts = plan.scenes.len() + usize::from(plan.sweep.is_some());
     for (done, input) in plan.scenes.iter().enumerate() {
         if observer.cancelled() {
             break;
@@ -96,6 +97,13 @@ pub fn run(
         comparison.scenes.push(outcome.record);
         comparison.notes.extend(outcome.notes);
         pictures.extend(outcome.pictures);
+    }
+    if let Some(growth) = plan.sweep.as_ref().filter(|_| !observer.cancelled()) {
+        let progress =
+            Progress { observer, from: plan.scenes.len() as f64 / parts as f64, to: 1.0 };
+        let share = scene_budget(plan, budget, 1);
+        let work = || sweep(growth, structures, plan, &pools, share, &progress);
+        comparison.sweeps.push(progress.watch(share, work));
     }
     comparison.run.partial = observer.cancelled();
     comparison.run.elapsed_seconds = start.elapsed().as_secs_f64();

@@ -13,7 +13,7 @@ use super::entrant::Entrant;
 use super::plan::{Plan, SceneInput};
 use super::progress::Progress;
 use super::record_rays::{Limits, Recording, record};
-use super::{Pools, builds, extra_rays, pictures, proof, replay};
+use super::{Pools, builds, extra_rays, picture_steps, pictures, proof, replay};
 
 /// What all steps of a scene share.
 pub(super) struct Stage<'a> {
@@ -33,14 +33,14 @@ pub(super) struct SceneOutcome {
 }
 
 /// The scene while it is being compared.
-struct Work<'a> {
-    stage: Stage<'a>,
-    input: &'a SceneInput,
-    entrants: Vec<Entrant<'a>>,
+pub(super) struct Work<'a> {
+    pub(super) stage: Stage<'a>,
+    pub(super) input: &'a SceneInput,
+    pub(super) entrants: Vec<Entrant<'a>>,
     recording: Recording,
     /// For each structure, the time of a ray of each class of the recording.
     ray_times: Vec<Vec<Option<Duration>>>,
-    outcome: SceneOutcome,
+    pub(super) outcome: SceneOutcome,
 }
 
 /// Compares structures in a scene.
@@ -110,7 +110,7 @@ fn empty(input: &SceneInput) -> SceneOutcome {
 }
 
 impl Work<'_> {
-    fn settings(&self) -> Settings {
+    pub(super) fn settings(&self) -> Settings {
         self.stage.plan.picture.settings(self.stage.scene)
     }
 
@@ -147,7 +147,7 @@ impl Work<'_> {
     }
 
     /// How long each structure needs for so many view samples and all that follows.
-    fn estimates(&self, samples: f64) -> Vec<Option<Duration>> {
+    pub(super) fn estimates(&self, samples: f64) -> Vec<Option<Duration>> {
         let threads = self.stage.plan.threads;
         let times = self.ray_times.iter().zip(&self.entrants);
         times
@@ -161,8 +161,10 @@ impl Work<'_> {
     /// Compares all answers with the reference's: `none`, if it has time for a picture; else the
     /// first structure that has.
     fn prove_hits(&mut self, budget: Budget) {
-        let fit =
-            pictures::that_fit(&self.estimates(self.samples()), picture_budget(budget).left());
+        let fit = pictures::that_fit(
+            &self.estimates(self.samples()),
+            picture_steps::picture_budget(budget).left(),
+        );
         let none = fit.iter().copied().find(|&i| self.entrants[i].structure.name == "none");
         let any = || (0..self.entrants.len()).find(|&i| self.entrants[i].is_fit());
         let Some(reference) = none.or_else(|| fit.first().copied()).or_else(any) else { return };
@@ -192,77 +194,6 @@ impl Work<'_> {
         self.outcome.record.proof = Some(Proof { reference, structures: proofs });
     }
 
-    /// View samples of the picture.
-    fn samples(&self) -> f64 {
-        let settings = self.settings();
-        f64::from(settings.width)
-            * f64::from(settings.height)
-            * f64::from(settings.samples_per_pixel())
-    }
-
-    /// Renders the picture with all structures that have the time, and compares.
-    fn render(&mut self, budget: Budget) {
-        let budget = picture_budget(budget);
-        let settings = self.settings();
-        let estimates = self.estimates(self.samples());
-        let fit = pictures::that_fit(&estimates, budget.left());
-        self.note_missing(&fit, &estimates, "picture");
-        let all =
-            pictures::measure(&mut self.entrants, &fit, &settings, &self.stage, budget.share(0.5));
-        let Some(proof) = &mut self.outcome.record.proof else { return };
-        let named = |name: &str| self.entrants.iter().position(|e| e.structure.name == name);
-        let reference = named(&proof.reference).and_then(|i| all[i].clone());
-        let Some(reference) = reference.or_else(|| all.iter().flatten().next().cloned()) else {
-            return;
-        };
-        let mut differing = Vec::new();
-        for entry in &mut proof.structures {
-            if let Some(own) = named(&entry.structure).and_then(|i| all[i].as_ref()) {
-                proof::check_picture(&reference, own, entry);
-                if entry.picture_equal == Some(false) {
-                    let index = named(&entry.structure);
-                    differing.extend(index.map(|i| (i, entry.differing_pixels)));
-                }
-            }
-        }
-        for (index, pixels) in differing {
-            self.entrants[index].fail(format!("its picture differs in {pixels} pixels"));
-        }
-        let file = format!("{}.png", self.input.name);
-        self.outcome.record.picture = Some(pictures::picture_file(file.clone(), &reference));
-        self.outcome.pictures.push((file, reference));
-    }
-
-    fn draw_heatmaps(&mut self, budget: Budget) {
-        let settings = pictures::heat_settings(&self.settings());
-        let samples = f64::from(settings.width) * f64::from(settings.height);
-        let estimates = self.estimates(samples);
-        let fit = pictures::that_fit(&estimates, budget.share(0.2).left());
-        self.note_missing(&fit, &estimates, "heatmap");
-        let (scale, maps) = pictures::heatmaps(&mut self.entrants, &fit, &settings, &self.stage);
-        self.outcome.record.heat_scale = scale;
-        for (index, picture) in maps {
-            let entrant = &mut self.entrants[index];
-            let file = format!("{}-heatmap-{}.png", self.input.name, entrant.structure.name);
-            entrant.record.heatmap = Some(pictures::picture_file(file.clone(), &picture));
-            self.outcome.pictures.push((file, picture));
-        }
-    }
-
-    fn note_missing(&mut self, fit: &[usize], estimates: &[Option<Duration>], what: &str) {
-        for (index, entrant) in self.entrants.iter().enumerate() {
-            if let Some(time) = estimates[index].filter(|_| !fit.contains(&index)) {
-                self.outcome.notes.push(format!(
-                    "{}: `{}` made no {what}: it would have taken about {:.0} s, beyond its share \
-                     of the budget.",
-                    self.input.name,
-                    entrant.structure.name,
-                    time.as_secs_f64().max(1.0),
-                ));
-            }
-        }
-    }
-
     /// Replays every class.
     fn replay(&mut self, budget: Budget) {
         let classes = &self.stage.plan.classes;
@@ -279,9 +210,4 @@ impl Work<'_> {
             replay::replay(&mut self.entrants, set, &times, &self.stage, share);
         }
     }
-}
-
-/// What rendering may take of what is left of a scene's time.
-fn picture_budget(budget: Budget) -> Budget {
-    budget.share(0.45)
 }

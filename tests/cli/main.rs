@@ -4,6 +4,7 @@
 
 mod arguments;
 mod check;
+mod compare;
 mod diff;
 #[cfg(unix)]
 mod interrupt;

@@ -1,0 +1,153 @@
+//! `srt compare` and `srt report`: files, exit codes, refusals.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::support::{Run, folder, good_run_in, names, picture, refused, run_in};
+
+const QUICK: [&str; 8] =
+    ["--budget", "4", "--rounds", "6", "--threads", "2", "--accel", "none,bvh"];
+
+fn compare(folder: &Path, options: &[&str]) -> Run {
+    run_in(folder, &[&["compare", "scene.sce"], &QUICK[..], options].concat())
+}
+
+fn json(path: &Path) -> Value {
+    serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
+}
+
+#[test]
+fn a_report_is_written_in_all_its_forms_and_again() {
+    let folder = folder();
+    let run = compare(folder.path(), &["--out", "new/out"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("bvh") && run.stdout.contains("equal"), "{}", run.stdout);
+    let out = folder.path().join("new/out");
+    let files = [
+        "report.csv",
+        "report.html",
+        "report.json",
+        "report.md",
+        "scene-heatmap-bvh.png",
+        "scene-heatmap-none.png",
+        "scene.png",
+    ];
+    assert_eq!(names(&out), files);
+    let record = json(&out.join("report.json"));
+    assert_eq!(record["run"]["partial"], false);
+    assert!(record["run"]["command"].as_str().unwrap().starts_with("srt compare scene.sce"));
+    let scene = &record["scenes"][0];
+    assert_eq!((scene["name"].as_str(), scene["objects"].as_u64()), (Some("scene"), Some(3)));
+    assert_eq!(scene["hash"].as_str().unwrap().len(), 64);
+    for entry in scene["proof"]["structures"].as_array().unwrap() {
+        assert_eq!(entry["picture_equal"], true);
+        assert_eq!(entry["differing_hits"], 0);
+    }
+    let size = picture(&out.join("scene.png"));
+    assert_eq!((size.width, size.height), (40, 30));
+
+    let again = good_run_in(folder.path(), &["report", "new/out/report.json", "--out", "again"]);
+    assert_eq!(again.stdout, run.stdout);
+    for file in ["report.json", "report.md", "report.csv", "report.html"] {
+        let read = |out: &Path| fs::read_to_string(out.join(file)).unwrap();
+        assert!(read(&out) == read(&folder.path().join("again")), "{file} differs");
+    }
+}
+
+#[test]
+fn a_regression_is_named_and_fails() {
+    let folder = folder();
+    assert_eq!(compare(folder.path(), &["--out", "a"]).code, 0);
+    let path = folder.path().join("a/report.json");
+    let mut old = json(&path);
+    // As if the old rounds had taken a thousandth of their time.
+    for structure in old["scenes"][0]["structures"].as_array_mut().unwrap() {
+        for class in structure["classes"].as_array_mut().unwrap() {
+            for round in class["rounds"].as_array_mut().unwrap() {
+                let time = round["wall_ns"].as_u64().unwrap();
+                round["wall_ns"] = (time / 1_000 + 1).into();
+            }
+        }
+    }
+    fs::write(folder.path().join("old.json"), old.to_string()).unwrap();
+    let run = compare(folder.path(), &["--out", "b", "--baseline", "old.json"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    assert!(run.stdout.contains("slower: view rays of scene with bvh"), "{}", run.stdout);
+    let run = compare(
+        folder.path(),
+        &["--out", "c", "--baseline", "old.json", "--fail-above", "10000000%", "--quiet"],
+    );
+    assert_eq!((run.code, run.stdout.as_str()), (0, ""), "{}", run.stderr);
+}
+
+#[test]
+fn a_sweep_traces_growing_meshes() {
+    let folder = folder();
+    let sweep = ["compare", "--sweep", "100..1k", "--mesh", "icosphere", "--out", "out"];
+    let run = run_in(folder.path(), &[&sweep, &QUICK[..]].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let record = json(&folder.path().join("out/report.json"));
+    let points = record["sweeps"][0]["points"].as_array().unwrap();
+    for structure in ["none", "bvh"] {
+        let own = points.iter().filter(|point| point["structure"] == structure);
+        let views = own.filter(|point| point["class"] == "view");
+        let sizes: Vec<_> = views.map(|point| point["triangles"].as_u64().unwrap()).collect();
+        assert_eq!(sizes, [80, 320, 980], "{structure}");
+    }
+}
+
+#[test]
+fn what_cannot_be_done_is_refused_before_the_work() {
+    refused(&["compare"], &["SCENE"]);
+    refused(&["compare", "scene.sce", "--accel", "bhv"], &["none", "cwbvh"]);
+    refused(&["compare", "--sweep", "1k..10k"], &["--mesh"]);
+    refused(&["compare", "--sweep", "10k..1k", "--mesh", "hall"], &["the smaller first"]);
+    refused(&["compare", "scene.sce", "--budget", "0"], &["seconds"]);
+    refused(&["compare", "scene.sce", "--fail-above", "9%"], &["--baseline"]);
+    refused(&["compare", "missing.sce", "--out", "."], &["missing.sce"]);
+    refused(&["compare", "scene.sce", "--baseline", "old.json"], &["old.json"]);
+    refused(&["compare", "scene.sce", "--out", "scene.sce"], &["scene.sce"]);
+    refused(&["report", "scene.sce"], &["not", "scene.sce"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_folder_that_takes_no_files_is_found_before_the_work() {
+    // /proc takes no folders, not even from root.
+    let run = run_in(folder().path(), &["compare", "scene.sce", "--out", "/proc/srt"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("/proc/srt"), "{}", run.stderr);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_comparison_is_written_and_marked() {
+    use std::process::{Command, Stdio};
+    use std::time::Duration;
+
+    // On a busy machine the work may begin late, and before it Ctrl-C ends the process at once.
+    for seconds in [1, 2, 4, 8, 16] {
+        let folder = folder();
+        let child = Command::new(assert_cmd::cargo::cargo_bin!("srt"))
+            .args(["compare", "scene.sce", "--budget", "600", "--rounds", "400", "--out", "out"])
+            .current_dir(folder.path())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_secs(seconds));
+        let id = child.id().to_string();
+        assert!(Command::new("kill").args(["-s", "INT", &id]).status().unwrap().success());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(130));
+        let record = folder.path().join("out/report.json");
+        if record.exists() {
+            assert_eq!(json(&record)["run"]["partial"], true);
+            assert!(folder.path().join("out/report.html").exists());
+            return;
+        }
+    }
+    panic!("the comparison never began");
+}
