@@ -102,20 +102,9 @@ pub(super) fn seconds(text: &str) -> Result<Duration, ValueError> {
 /// Reads two sizes of meshes, `1k..10M`.
 pub(super) fn sizes(text: &str) -> Result<(u32, u32), ValueError> {
     let (first, last) = text.split_once("..").ok_or(ValueError::Sizes)?;
-    let first = triangles(first).ok_or(ValueError::Sizes)?;
-    let last = triangles(last).ok_or(ValueError::Sizes)?;
+    let first = triangles(first.trim()).map_err(|_| ValueError::Sizes)?;
+    let last = triangles(last.trim()).map_err(|_| ValueError::Sizes)?;
     if first <= last { Ok((first, last)) } else { Err(ValueError::Sizes) }
-}
-
-/// A number of triangles, with `k` or `M` behind it for thousands or millions.
-fn triangles(text: &str) -> Option<u32> {
-    let text = text.trim();
-    let (digits, factor) = match text.strip_suffix(['k', 'K']) {
-        Some(digits) => (digits, 1_000),
-        None => text.strip_suffix('M').map_or((text, 1), |digits| (digits, 1_000_000)),
-    };
-    let count = number(digits)?.checked_mul(factor)?;
-    (1..=MAX_TRIANGLES).contains(&count).then_some(count)
 }
 
 /// Reads a percentage, `10%` or `10`, as a share: 0.1.
