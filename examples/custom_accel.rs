@@ -175,7 +175,8 @@ end
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     let parsed = parse(SCENE, &ParseOptions::default()).map_err(|errors| format!("{errors:?}"))?;
     let knot = Arc::new(generate(Kind::TorusKnot, 20_000, 0));
-    let scene = Scene::new(&parsed.description, vec![knot])?;
+    let scene = Scene::new(&parsed.description, vec![knot])
+        .map_err(|errors| errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))?;
     let input = SceneInput {
         name: "knot".to_owned(),
         path: "examples/custom_accel.rs".to_owned(),

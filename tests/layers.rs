@@ -1,5 +1,5 @@
-//! Layers import downwards only: every `crate::` path in `src/` is held to the table below, and the
-//! table of `ARCHITECTURE.md` to the same.
+//! Layers import downwards only: every `crate::` path in `src/` is held to the table of
+//! `ARCHITECTURE.md`, which has a row for each layer and for nothing else.
 
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
@@ -7,61 +7,20 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What each layer may import. Everything is allowed to `cli` alone.
-const LAYERS: &[(&str, &[&str])] = &[
-    ("accel", &["counters", "math"]),
-    ("assets", &["description", "math"]),
-    (
-        "cli",
-        &[
-            "accel",
-            "assets",
-            "compare",
-            "counters",
-            "description",
-            "image_io",
-            "math",
-            "record",
-            "render",
-            "report",
-            "scene",
-            "scene_file",
-        ],
-    ),
-    (
-        "compare",
-        &[
-            "accel",
-            "assets",
-            "counters",
-            "description",
-            "image_io",
-            "math",
-            "record",
-            "render",
-            "scene",
-        ],
-    ),
-    ("counters", &[]),
-    ("description", &["math"]),
-    ("image_io", &["math"]),
-    ("math", &[]),
-    ("record", &["math"]),
-    ("report", &["record"]),
-    ("render", &["accel", "counters", "description", "image_io", "math", "scene"]),
-    ("scene", &["accel", "assets", "counters", "description", "math", "shapes"]),
-    ("scene_file", &["description", "math"]),
-    ("shapes", &["accel", "counters", "math", "simd"]),
-    ("simd", &["math"]),
-];
+/// The files of the crate's roots, which are no layers.
+const ROOTS: [&str; 2] = ["lib", "main"];
+
+/// How the table begins.
+const HEAD: &str = "| layer | may import |";
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
+/// What each layer may import, as `ARCHITECTURE.md` has it.
 fn allowed() -> BTreeMap<String, BTreeSet<String>> {
-    let set = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
-    LAYERS.iter().map(|&(layer, imports)| (layer.to_owned(), set(imports))).collect()
+    let document = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    table(&document).unwrap_or_else(|error| panic!("ARCHITECTURE.md: {error}"))
 }
 
 #[test]
@@ -73,12 +32,8 @@ fn every_path_keeps_to_the_table() {
         let text = without_comments(&fs::read_to_string(&file).unwrap());
         for import in imports(&text).into_iter().filter(|import| *import != layer) {
             // The crate's root declares the layers and belongs to none.
-            let fine = matches!(layer.as_str(), "lib" | "main")
-                || allowed
-                    .get(&layer)
-                    .unwrap_or_else(|| panic!("`{layer}` is not in the table"))
-                    .contains(&import);
-            if !fine {
+            let is_root = ROOTS.contains(&layer.as_str());
+            if !is_root && !allowed.get(&layer).is_some_and(|names| names.contains(&import)) {
                 wrong.push(format!("{}: `{layer}` may not import `{import}`", file.display()));
             }
         }
@@ -100,38 +55,55 @@ fn the_table_has_no_ring() {
     assert!(left.is_empty(), "these import each other: {:?}", left.keys());
 }
 
-/// A row is ``| `layer/` | what it may import, with commas |`` and any further cells; `nothing` and
-/// `everything` are understood.
 #[test]
-fn the_document_has_the_same_table() {
-    let Ok(document) = fs::read_to_string(root().join("ARCHITECTURE.md")) else {
-        return;
-    };
-    let allowed = allowed();
-    let documented: BTreeMap<_, _> = document
-        .lines()
-        .filter_map(row)
-        .flatten()
-        .filter(|(l, _)| allowed.contains_key(l))
-        .collect();
-    for (layer, imports) in &allowed {
-        let found = documented.get(layer).unwrap_or_else(|| panic!("no row for `{layer}`"));
-        let everything = found.contains("everything") && layer == "cli";
-        assert!(everything || found == imports, "`{layer}`: {found:?}, not {imports:?}");
-    }
+fn every_layer_has_its_row_and_every_row_its_layer() {
+    let entries = fs::read_dir(root().join("src")).unwrap().map(|entry| entry.unwrap().path());
+    let layers: BTreeSet<_> = entries.map(|path| layer_of(&path)).collect();
+    let layers: BTreeSet<_> =
+        layers.into_iter().filter(|layer| !ROOTS.contains(&layer.as_str())).collect();
+    assert_eq!(allowed().into_keys().collect::<BTreeSet<_>>(), layers);
 }
 
-/// The layers of a row of a table, each with the names in the second cell.
-fn row(line: &str) -> Option<Vec<(String, BTreeSet<String>)>> {
-    let mut cells = line.strip_prefix('|')?.split('|').map(str::trim);
-    let (layers, imports) = (cells.next()?, cells.next()?);
-    let name = |text: &str| {
-        let text = text.trim().trim_matches('`');
-        text.trim_end_matches('/').trim_end_matches(".rs").to_owned()
-    };
-    let imports: BTreeSet<String> =
-        imports.split(',').map(name).filter(|n| !n.is_empty() && n != "nothing").collect();
-    Some(layers.split(',').map(|layer| (name(layer), imports.clone())).collect())
+/// The table of layers: its head, a line of dashes, and rows up to the first line that is none.
+fn table(document: &str) -> Result<BTreeMap<String, BTreeSet<String>>, String> {
+    let mut lines = document.lines().skip_while(|line| !line.starts_with(HEAD)).skip(1);
+    if !lines.next().is_some_and(|line| line.starts_with("|---|")) {
+        return Err(format!("no table that begins with `{HEAD}`"));
+    }
+    let mut rows = BTreeMap::new();
+    for line in lines.take_while(|line| line.starts_with('|')) {
+        let (layer, imports) = row(line).ok_or_else(|| format!("not a row: {line}"))?;
+        if rows.insert(layer, imports).is_some() {
+            return Err(format!("a second row for the same layer: {line}"));
+        }
+    }
+    let all: BTreeSet<String> = rows.keys().cloned().collect();
+    for (layer, imports) in &mut rows {
+        if imports.remove("everything") {
+            imports.extend(all.iter().filter(|other| *other != layer).cloned());
+        }
+        if let Some(unknown) = imports.iter().find(|import| !all.contains(*import)) {
+            return Err(format!("`{layer}` may import `{unknown}`, which has no row"));
+        }
+    }
+    Ok(rows)
+}
+
+/// A row: ``| `layer` | what it may import, with commas | what it is |``. `nothing` stands alone, and
+/// so does `everything`, for all other layers.
+fn row(line: &str) -> Option<(String, BTreeSet<String>)> {
+    let cells: Vec<_> = line.strip_prefix('|')?.strip_suffix('|')?.split('|').collect();
+    let [layer, imports, _] = cells[..] else { return None };
+    let layer = layer.trim().strip_prefix('`')?.strip_suffix('`')?;
+    let names: Vec<_> = imports.split(',').map(str::trim).collect();
+    let is_name =
+        |name: &str| !name.is_empty() && name.chars().all(|c| c.is_ascii_lowercase() || c == '_');
+    let stands_alone = |name: &&str| matches!(*name, "nothing" | "everything");
+    let fine = is_name(layer)
+        && names.iter().all(|name| is_name(name))
+        && (names.len() == 1 || !names.iter().any(stands_alone));
+    let imports = names.into_iter().filter(|name| *name != "nothing").map(str::to_owned);
+    fine.then(|| (layer.to_owned(), imports.collect()))
 }
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
@@ -196,7 +168,30 @@ fn paths_are_found_in_all_their_forms() {
     let code = "use crate::math::Ray;\nuse crate::{\n    accel::{A, B},\n    shapes,\n};\nlet x = crate::simd::x();";
     assert_eq!(imports(code), ["math", "accel", "shapes", "simd"]);
     assert_eq!(imports(&without_comments("/// [`x`](crate::cli::x)\nlet a; // crate::b")), [""; 0]);
-    let parsed = row("| `counters.rs`, `math/` | nothing | lowest |").unwrap();
-    assert_eq!(parsed[1], ("math".to_owned(), BTreeSet::new()));
-    assert_eq!(parsed[0].0, "counters");
+}
+
+#[test]
+fn a_table_is_read_as_it_is_written_or_not_at_all() {
+    let table =
+        |rows: &str| table(&format!("# A\n| x |\n\n{HEAD} what |\n|---|---|---|\n{rows}\n\nB"));
+    let set = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<BTreeSet<_>>();
+    let lowest = "| `math` | nothing | lowest |";
+    let parsed = table(&format!("| `cli` | everything | x |\n| `simd` | math | y |\n{lowest}"));
+    let parsed = parsed.unwrap();
+    assert_eq!(parsed["cli"], set(&["math", "simd"]));
+    assert_eq!(parsed["simd"], set(&["math"]));
+    assert_eq!(parsed["math"], set(&[]));
+    for bad in [
+        "| math | nothing | no backticks |",
+        "| `math/` | nothing | a slash |",
+        "| `math` | nothing |",
+        "| `math` | | empty |",
+        "| `math` | simd | no row |",
+        "| `math` | nothing, everything | both |",
+        "| `math` | nothing | a | b |",
+        "| `math` | nothing | twice |\n| `math` | nothing | twice |",
+    ] {
+        assert!(table(bad).is_err(), "{bad}");
+    }
+    assert!(self::table("no table").is_err());
 }

@@ -15,6 +15,7 @@ use smallvec::SmallVec;
 
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Ray};
+use crate::simd::ones;
 
 use super::{Accel, Bounded, BuildConfig, Built, StructureShape, obvhs_boxes};
 
@@ -67,7 +68,7 @@ impl Accel for CompressedWideBvh {
             counters.boxes(children.tested);
             // Leaves first: they can only shorten the search. The comparison with `end` is made
             // again for each, since the ones before may have.
-            for child in bits(children.hit & !node.imask) {
+            for child in ones(u32::from(children.hit & !node.imask)) {
                 if children.near[child] <= end {
                     let (first, count) = node.child_primitives(child);
                     match leaf(first..first + count, counters) {
@@ -118,15 +119,6 @@ impl Accel for CompressedWideBvh {
 /// [`Aabb::half_area`] of one of obvhs's boxes.
 fn half_area(bounds: &obvhs::aabb::Aabb) -> f64 {
     Aabb { min: bounds.min, max: bounds.max }.half_area()
-}
-
-/// The positions of the ones of a mask, the lowest first.
-fn bits(mut mask: u8) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lowest = (mask != 0).then(|| mask.trailing_zeros() as usize);
-        mask &= mask.wrapping_sub(1);
-        lowest
-    })
 }
 
 /// What a node's children are to a ray.
@@ -229,11 +221,5 @@ mod tests {
             let node = CwBvhNode { child_meta: meta, ..CwBvhNode::default() };
             assert_eq!(present(&node), mask);
         }
-    }
-
-    #[test]
-    fn bits_are_listed_from_the_lowest() {
-        assert_eq!(bits(0b1010_0001).collect::<Vec<_>>(), [0, 5, 7]);
-        assert_eq!(bits(0).count(), 0);
     }
 }

@@ -183,11 +183,17 @@ fn read_file(path: &Path) -> Result<MeshData, Box<Failure>> {
         return Ok(mesh);
     }
     let path = path.to_owned();
-    let problem = match mesh.dropped {
-        0 => Problem::NoFaces { path, empty: text.trim().is_empty() },
-        dropped => Problem::OnlyDegenerate { path, dropped },
+    let (problem, help) = match mesh.dropped {
+        0 => (
+            Problem::NoFaces { path, empty: text.trim().is_empty() },
+            "a mesh is a Wavefront OBJ file: `v x y z` lines, then `f a b c` lines",
+        ),
+        dropped => (
+            Problem::OnlyDegenerate { path, dropped },
+            "the corners of each face lie on one line, or in one point, in single precision: \
+             look at the vertices that the faces name, and at the digits they are written with",
+        ),
     };
-    let help = "a mesh is a Wavefront OBJ file: `v x y z` lines, then `f a b c` lines";
     Err(Failure::new(problem, Some(help.to_owned())))
 }
 

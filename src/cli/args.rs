@@ -4,12 +4,13 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand, value_parser};
+use clap::{Args, Parser, Subcommand};
 
 use super::compare_args::{CompareArguments, ReportArguments};
 use super::exit::EXIT_CODES;
 use super::render_args::RenderArguments;
-use crate::assets::generate::{Kind, MAX_TRIANGLES};
+use super::values;
+use crate::assets::generate::Kind;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -109,16 +110,16 @@ pub(crate) struct DiffArguments {
 #[command(
     after_help = "Where the form does not allow every number of triangles, the mesh has about as \
     many.\n\n\
-    Example:\n  srt mesh terrain --triangles 70000 --seed 7 -o terrain.obj"
+    Example:\n  srt mesh terrain --triangles 70k --seed 7 -o terrain.obj"
 )]
 pub(crate) struct MeshArguments {
     /// The form
     #[arg(value_name = "KIND", value_parser = described(&Kind::ALL, Kind::name, Kind::description))]
     pub(crate) kind: Kind,
 
-    /// How many triangles
+    /// How many triangles, such as 70000, 70k or 1M
     #[arg(long, short = 'n', value_name = "N", allow_negative_numbers = true,
-        value_parser = value_parser!(u32).range(1..=i64::from(MAX_TRIANGLES)))]
+        value_parser = values::triangles)]
     pub(crate) triangles: u32,
 
     /// Where the random numbers start

@@ -44,6 +44,10 @@ pub(crate) fn dropped(scene: &SceneDescription, meshes: &[Arc<MeshData>]) -> Vec
     meshes.iter().enumerate().filter_map(warning).collect()
 }
 
+/// What `scene` traces.
+const RANGE: &str = "coordinates may be up to 1e9, and sizes must be at least 1e-9: choose another \
+                     unit of length";
+
 /// What cannot be traced, at the object's place.
 pub(crate) fn scene(error: &SceneError, scene: &SceneDescription) -> Diagnostic {
     let place = |object: usize| scene.objects[object].span.clone();
@@ -58,8 +62,27 @@ pub(crate) fn scene(error: &SceneError, scene: &SceneDescription) -> Diagnostic 
             "an object is too large, too small or too far away to be traced in single precision",
         )
         .with_label("this object, with the transform in force")
-        .with_help("choose another unit of length"),
-        // The parser refuses such cameras and keeps no place of those that it accepts.
-        SceneError::Camera => Diagnostic::error(Span::default(), error.to_string()),
+        .with_help(RANGE),
+        // Of lights and cameras no place is kept: the text begins the scene that they are in.
+        SceneError::LightOutOfRange { light } => Diagnostic::error(
+            Span::default(),
+            format!(
+                "light {}, counted from the top, is too far away to be traced in single precision",
+                light + 1,
+            ),
+        )
+        .with_help(RANGE),
+        SceneError::CameraOutOfRange => Diagnostic::error(
+            Span::default(),
+            "the camera is too far away, or its image plane too near or too far, to be traced in \
+             single precision",
+        )
+        .with_label("the camera of this scene")
+        .with_help(format!("look at `eyepos`, `wdist` and `fovy_deg`: {RANGE}")),
+        SceneError::Camera => Diagnostic::error(Span::default(), error.to_string())
+            .with_label("the camera of this scene")
+            .with_help(
+                "look at `eyedir` and `eyeup`: neither may be zero, nor one along the other",
+            ),
     }
 }

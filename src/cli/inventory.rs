@@ -88,7 +88,12 @@ fn picture(scene: &SceneDescription) -> String {
         n => format!("{n} × {n} samples a pixel"),
     };
     let Camera { width, height, .. } = scene.camera;
-    format!("{width} × {height}, {samples}, at most {} bounces", scene.options.max_recursion)
+    let bounces = match scene.options.max_recursion {
+        0 => "no bounces".to_owned(),
+        1 => "at most 1 bounce".to_owned(),
+        n => format!("at most {n} bounces"),
+    };
+    format!("{width} × {height}, {samples}, {bounces}")
 }
 
 /// Coordinates with at most six significant digits or so: enough to find them in the scene.

@@ -72,8 +72,8 @@ fn compile(
     let compiled = Scene::new(&description, meshes);
     match compiled {
         Ok(scene) => Ok((description, scene, in_order(warnings))),
-        Err(error) => {
-            warnings.push(diagnose::scene(&error, &description));
+        Err(errors) => {
+            warnings.extend(errors.iter().map(|error| diagnose::scene(error, &description)));
             Err(in_order(warnings))
         }
     }

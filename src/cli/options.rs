@@ -79,15 +79,17 @@ impl RenderOptions {
     pub(crate) fn new(typed: RenderArguments) -> Result<Self, Failure> {
         let scene = typed.scene.ok_or_else(|| Failure::new("no scene was named"))?;
         let output = typed.output.ok_or_else(|| Failure::new("no output was named"))?;
-        if let (Some(crop), Some(size)) = (typed.crop, typed.size) {
-            check_crop(crop, size.width, size.height)?;
+        match (typed.size, typed.crop) {
+            (Some(size), crop) => check_region(size.width, size.height, crop)?,
+            (None, Some(crop)) => check_pixels(crop)?,
+            (None, None) => {}
         }
         let (output, format) = prepare_picture(&output, typed.format)?;
         refuse_same_file(&scene, &output)?;
         Ok(Self {
             structure: structure(&typed.accel)?,
             build: build_config(typed.build),
-            threads: typed.threads.map_or_else(all_processors, usize::from),
+            threads: threads(typed.threads)?,
             overrides: Overrides {
                 size: typed.size,
                 aa: typed.aa,
@@ -124,21 +126,54 @@ impl RenderOptions {
             view: self.view,
             count: self.stats.is_some(),
         };
-        if let Some(crop) = settings.crop {
-            check_crop(crop, settings.width, settings.height)?;
-        }
+        check_region(settings.width, settings.height, settings.crop)?;
         check_samples(&settings)?;
         Ok(settings)
     }
 }
 
-/// A crop must lie within the picture; its size may be known only from the scene.
-fn check_crop(crop: Crop, width: u32, height: u32) -> Result<(), Failure> {
+/// A crop must lie within the picture, whose size may be known only from the scene, and what is
+/// rendered must fit into memory.
+fn check_region(width: u32, height: u32, crop: Option<Crop>) -> Result<(), Failure> {
+    let Some(crop) = crop else {
+        return check_pixels(Crop { x0: 0, y0: 0, x1: width, y1: height });
+    };
     if crop.is_within(width, height) {
-        return Ok(());
+        return check_pixels(crop);
     }
     Err(Failure::new(format_args!(
         "the crop {crop} does not lie within the picture of {width}x{height} pixels"
+    )))
+}
+
+fn check_pixels(region: Crop) -> Result<(), Failure> {
+    if region.pixels() <= Settings::MAX_PIXELS {
+        return Ok(());
+    }
+    Err(Failure::new(format_args!(
+        "{}x{} pixels are too many to render at once: {} is the most; render parts with --crop",
+        region.width(),
+        region.height(),
+        Settings::MAX_PIXELS,
+    )))
+}
+
+/// More threads than this for each processor only wait for each other: a build that takes
+/// milliseconds takes seconds with hundreds of them.
+const MOST_THREADS_A_PROCESSOR: usize = 4;
+
+/// As many threads as were asked for, or one a processor.
+fn threads(typed: Option<u16>) -> Result<usize, Failure> {
+    let processors = available_parallelism().map_or(1, std::num::NonZero::get);
+    let (threads, most) =
+        (typed.map_or(processors, usize::from), MOST_THREADS_A_PROCESSOR * processors);
+    if threads <= most {
+        return Ok(threads);
+    }
+    let are =
+        if processors == 1 { "1 processor is" } else { &format!("{processors} processors are") };
+    Err(Failure::new(format_args!(
+        "{threads} threads are too many: {are} available, and --threads may be {most} at most"
     )))
 }
 
@@ -174,10 +209,6 @@ fn structure(name: &str) -> Result<&'static Structure, Failure> {
 
 fn build_config(quality: Quality) -> BuildConfig {
     BuildConfig { quality, ..BuildConfig::default() }
-}
-
-fn all_processors() -> usize {
-    available_parallelism().map_or(1, std::num::NonZero::get)
 }
 
 fn stats(form: StatsForm, output: &Output) -> Stats {
@@ -228,6 +259,27 @@ mod tests {
         let message = options(&["--size", "10x10", "--crop", "0,0,11,10"]).unwrap_err();
         assert!(message.to_string().contains("0,0,11,10"), "{message}");
         assert!(options(&["--size", "10x10", "--crop", "0,0,10,10"]).is_ok());
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn more_pixels_than_fit_into_memory_are_refused() {
+        let message = options(&["--size", "65535x65535"]).unwrap_err().to_string();
+        assert!(message.contains("65535x65535") && message.contains("268435456"), "{message}");
+        assert!(options(&["--crop", "0,0,16384,16385"]).is_err());
+        assert!(options(&["--size", "16384x16384"]).is_ok());
+        // What counts is what is rendered.
+        assert!(options(&["--size", "65535x65535", "--crop", "60000,0,60100,100"]).is_ok());
+    }
+
+    #[test]
+    fn threads_may_be_some_times_the_processors() {
+        let processors = threads(None).unwrap();
+        let most = 4 * processors;
+        assert_eq!(threads(Some(most as u16)).unwrap(), most);
+        let message = threads(Some(most as u16 + 1)).unwrap_err().to_string();
+        assert!(message.contains(&format!("{processors} processor")), "{message}");
+        assert!(message.contains(&format!("{most} at most")), "{message}");
     }
 
     #[test]

@@ -59,9 +59,7 @@ fn trace(
     interrupt: &Interrupt,
 ) -> (BuildReport, Rendering) {
     let world = options.structure.build(scene, &options.build);
-    let region = settings.region();
-    let pixels = u64::from(region.width()) * u64::from(region.height());
-    let progress = Progress::start(pixels, options.quiet, interrupt.clone());
+    let progress = Progress::start(settings.region().pixels(), options.quiet, interrupt.clone());
     let rendering = interrupt.heeded_by(|| render(scene, &*world, settings, &progress));
     (world.build_report(), rendering)
 }

@@ -38,7 +38,7 @@ pub(crate) struct RenderArguments {
         value_parser = named(&Quality::ALL, Quality::name), help_heading = "Structure")]
     pub(crate) build: Quality,
 
-    /// Threads that build and render [default: one a processor]
+    /// Threads that build and render, at most four a processor [default: one a processor]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = value_parser!(u16).range(1..=1024), help_heading = "Structure")]
     pub(crate) threads: Option<u16>,
@@ -107,6 +107,8 @@ pub(crate) struct RenderArguments {
     pub(crate) lenient: bool,
 
     /// After Ctrl-C, write what has been rendered so far
+    ///
+    /// What is missing is black, or grey among the colours of depths and heatmaps.
     #[arg(long, help_heading = "Output")]
     pub(crate) keep_partial: bool,
 

@@ -1,4 +1,5 @@
-//! Values of options that are more than a number: sizes, crops, times, percentages.
+//! Values of options that are more than a number: sizes, crops, times, percentages, and numbers with
+//! a unit.
 
 use std::fmt;
 use std::str::FromStr;
@@ -23,6 +24,12 @@ pub(crate) enum ValueError {
     /// A crop without pixels.
     #[error("the crop is empty: x0 must be less than x1, and y0 less than y1")]
     CropEmpty,
+    /// Not a number of triangles.
+    #[error("expected a number such as 70000, 70k or 1M")]
+    CountForm,
+    /// None, or more than can be made.
+    #[error("the number must lie between 1 and {MAX_TRIANGLES}")]
+    CountRange,
     /// Not a time.
     #[error("expected a number of seconds above 0, such as 90 or 2.5")]
     Seconds,
@@ -74,6 +81,16 @@ pub(super) fn crop(text: &str) -> Result<Crop, ValueError> {
     if crop.is_empty() { Err(ValueError::CropEmpty) } else { Ok(crop) }
 }
 
+/// Reads a number of triangles: digits, and `k` or `M` for thousands or millions.
+pub(super) fn triangles(text: &str) -> Result<u32, ValueError> {
+    let (digits, unit) = match text.strip_suffix(['k', 'K']) {
+        Some(digits) => (digits, 1_000),
+        None => text.strip_suffix(['m', 'M']).map_or((text, 1), |digits| (digits, 1_000_000)),
+    };
+    let count = number(digits).ok_or(ValueError::CountForm)?.saturating_mul(unit);
+    if (1..=MAX_TRIANGLES).contains(&count) { Ok(count) } else { Err(ValueError::CountRange) }
+}
+
 /// Reads a time in seconds, above 0 and at most a year.
 pub(super) fn seconds(text: &str) -> Result<Duration, ValueError> {
     const YEAR: f64 = 366.0 * 86_400.0;
@@ -85,20 +102,9 @@ pub(super) fn seconds(text: &str) -> Result<Duration, ValueError> {
 /// Reads two sizes of meshes, `1k..10M`.
 pub(super) fn sizes(text: &str) -> Result<(u32, u32), ValueError> {
     let (first, last) = text.split_once("..").ok_or(ValueError::Sizes)?;
-    let first = triangles(first).ok_or(ValueError::Sizes)?;
-    let last = triangles(last).ok_or(ValueError::Sizes)?;
+    let first = triangles(first.trim()).map_err(|_| ValueError::Sizes)?;
+    let last = triangles(last.trim()).map_err(|_| ValueError::Sizes)?;
     if first <= last { Ok((first, last)) } else { Err(ValueError::Sizes) }
-}
-
-/// A number of triangles, with `k` or `M` behind it for thousands or millions.
-fn triangles(text: &str) -> Option<u32> {
-    let text = text.trim();
-    let (digits, factor) = match text.strip_suffix(['k', 'K']) {
-        Some(digits) => (digits, 1_000),
-        None => text.strip_suffix('M').map_or((text, 1), |digits| (digits, 1_000_000)),
-    };
-    let count = number(digits)?.checked_mul(factor)?;
-    (1..=MAX_TRIANGLES).contains(&count).then_some(count)
 }
 
 /// Reads a percentage, `10%` or `10`, as a share: 0.1.
@@ -145,6 +151,19 @@ mod tests {
         }
         for bad in ["3,0,3,4", "4,0,3,4", "0,4,3,4"] {
             assert_eq!(crop(bad), Err(ValueError::CropEmpty), "{bad}");
+        }
+    }
+
+    #[test]
+    fn numbers_of_triangles() {
+        for (text, count) in [("1", 1), ("70000", 70_000), ("70k", 70_000), ("10M", 10_000_000)] {
+            assert_eq!(triangles(text), Ok(count), "{text}");
+        }
+        for bad in ["", "k", "-5", "1.5k", "5kk", "many"] {
+            assert_eq!(triangles(bad), Err(ValueError::CountForm), "{bad}");
+        }
+        for bad in ["0", "0k", "101M", "99999999999"] {
+            assert_eq!(triangles(bad), Err(ValueError::CountRange), "{bad}");
         }
     }
 

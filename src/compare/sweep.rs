@@ -135,7 +135,7 @@ fn note(record: &mut Sweep, entrant: &Entrant<'_>, triangles: u64) -> bool {
 }
 
 /// A mesh of the family, its materials half a mirror, seen from where all of it is before the eye.
-fn scene_of(kind: Kind, triangles: u32, seed: u64) -> Result<Scene, SceneError> {
+fn scene_of(kind: Kind, triangles: u32, seed: u64) -> Result<Scene, Vec<SceneError>> {
     // The hall is seen from inside, lit below its ceiling.
     let (eye, target, light) = match kind {
         Kind::Hall => (DVec3::new(-0.95, -0.05, 0.35), DVec3::new(0.5, 0.0, 0.35), DVec3::Z * 0.7),

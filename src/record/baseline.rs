@@ -52,6 +52,7 @@ impl Changes {
                 }
             }
         }
+        this.doubts.extend(missing(old, new));
         this
     }
 
@@ -95,6 +96,26 @@ impl Changes {
             move |change: &&Change| change.slowdown.interval.is_some_and(|i| i.high < bound);
         self.changes.iter().filter(beyond)
     }
+}
+
+/// What the old record measured and the new one did not: it may have failed or become too slow.
+fn missing(old: &Comparison, new: &Comparison) -> Vec<String> {
+    let mut doubts = Vec::new();
+    for scene in &old.scenes {
+        let Some(new_scene) = new.scenes.iter().find(|new| new.name == scene.name) else {
+            doubts.push(format!("The scene {} of the baseline was not measured.", scene.name));
+            continue;
+        };
+        for structure in scene.structures.iter().filter(|structure| !structure.classes.is_empty()) {
+            let new = new_scene.structure(&structure.name);
+            if new.is_none_or(|new| new.classes.is_empty()) {
+                let (structure, scene) = (&structure.name, &scene.name);
+                doubts
+                    .push(format!("{structure} was not measured in {scene}, but in the baseline."));
+            }
+        }
+    }
+    doubts
 }
 
 /// Differences between the runs that change times by themselves.

@@ -116,6 +116,12 @@ impl Crop {
         self.y1 - self.y0
     }
 
+    /// How many pixels there are; for a crop that is not empty.
+    #[must_use]
+    pub fn pixels(&self) -> u64 {
+        u64::from(self.width()) * u64::from(self.height())
+    }
+
     /// Whether there is a pixel in it.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -165,6 +171,11 @@ impl Settings {
     /// The most that `aa · light_samples` may be: the samples of a light for one pixel are made and
     /// traced together, so their number must stay within memory.
     pub const MAX_LIGHT_SIDE: u32 = 1_024;
+
+    /// The most pixels that are rendered at once, of the crop if there is one: as many as in a
+    /// picture of 16384 × 16384. All of them are held until the picture is written, at first twice
+    /// and with 12 bytes each: 6 GiB for so many.
+    pub const MAX_PIXELS: u64 = 1 << 28;
 
     /// What the scene file asks for.
     #[must_use]

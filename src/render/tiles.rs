@@ -25,7 +25,7 @@ const SAMPLES_AT_ONCE: usize = 1024;
 pub struct Rendering {
     /// What the pixels show.
     pub sight: Sight,
-    /// Whether every tile was rendered; if not, the missing ones are black, or 0.
+    /// Whether every tile was rendered; if not, the missing ones are black, or NaN in a field.
     pub complete: bool,
     /// What the rays did.
     pub stats: RenderStats,
@@ -42,7 +42,8 @@ pub enum Sight {
         width: u32,
         /// Height in pixels.
         height: u32,
-        /// The numbers; where nothing is seen, NaN.
+        /// The numbers; NaN where nothing is seen, and where nothing was rendered, so that the
+        /// scale of the others is theirs alone.
         values: Vec<f32>,
     },
 }
@@ -50,7 +51,7 @@ pub enum Sight {
 /// Renders a scene with a structure, on the threads of the current rayon pool.
 ///
 /// # Panics
-/// If a crop leaves the picture or is empty.
+/// If a crop leaves the picture or is empty, or if there are more than [`Settings::MAX_PIXELS`].
 pub fn render(
     scene: &Scene,
     tracer: &dyn Tracer,
@@ -62,6 +63,7 @@ pub fn render(
         !region.is_empty() && region.is_within(settings.width, settings.height),
         "the crop is empty or leaves the picture"
     );
+    assert!(region.pixels() <= Settings::MAX_PIXELS, "more pixels than memory is trusted to hold");
     let start = Instant::now();
     let context = Context {
         scene,
@@ -181,8 +183,10 @@ fn assemble(
     start: Instant,
 ) -> Rendering {
     let (width, height) = (region.width(), region.height());
+    let is_field = matches!(settings.view, View::Depth | View::Heatmap);
+    let missing = if is_field { Color::NAN } else { Color::ZERO };
     let mut picture =
-        Picture { width, height, pixels: vec![Color::ZERO; width as usize * height as usize] };
+        Picture { width, height, pixels: vec![missing; width as usize * height as usize] };
     let mut stats = RenderStats::default();
     let complete = tiles.iter().all(Option::is_some);
     for (area, tile) in areas.iter().zip(tiles) {
@@ -194,13 +198,55 @@ fn assemble(
         }
     }
     stats.time = start.elapsed();
-    let sight = match settings.view {
-        View::Depth | View::Heatmap => Sight::Field {
-            width,
-            height,
-            values: picture.pixels.iter().map(|pixel| pixel.x).collect(),
-        },
-        _ => Sight::Picture(picture),
+    let sight = if is_field {
+        let values = picture.pixels.iter().map(|pixel| pixel.x).collect();
+        Sight::Field { width, height, values }
+    } else {
+        Sight::Picture(picture)
     };
     Rendering { sight, complete, stats }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::{Sampling, Scale};
+
+    /// Two tiles side by side, the second of which was not rendered.
+    fn half_rendered(view: View) -> Rendering {
+        let settings = Settings {
+            width: 20,
+            height: 2,
+            crop: None,
+            aa: 0,
+            light_samples: 1,
+            sampling: Sampling::default(),
+            max_recursion: 0,
+            seed: 0,
+            view,
+            count: false,
+        };
+        let areas = tiles_of(settings.region());
+        let pixels = (0..32).map(|i| Color::splat(5.0 + i as f32)).collect();
+        let tile = Tile { pixels, stats: RenderStats::default() };
+        assemble(&settings, settings.region(), &areas, vec![Some(tile), None], Instant::now())
+    }
+
+    #[test]
+    fn what_was_not_rendered_does_not_stretch_the_scale() {
+        for view in [View::Depth, View::Heatmap] {
+            let rendering = half_rendered(view);
+            assert!(!rendering.complete);
+            let Sight::Field { values, .. } = rendering.sight else { panic!("not a field") };
+            assert_eq!(Scale::of(&values), Some(Scale { low: 5.0, high: 36.0 }));
+            assert!(values[16..20].iter().all(|value| value.is_nan()));
+        }
+    }
+
+    #[test]
+    fn what_was_not_rendered_of_a_picture_is_black() {
+        let Sight::Picture(picture) = half_rendered(View::Color).sight else { panic!("a field") };
+        assert_eq!(picture.pixels[15], Color::splat(20.0));
+        assert_eq!(picture.pixels[16], Color::ZERO);
+    }
 }

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::limits::limits;
+use super::numbers;
 use super::tables::{self, Cell, Table};
 use super::verdict::verdict_of;
 use crate::record::derived::{Derived, SceneFigures};
@@ -26,7 +27,9 @@ pub fn write(comparison: &Comparison) -> String {
     if let Some(chapter) = &comparison.sampling {
         let default = escaped(&chapter.default);
         let _ = write!(text, "\n## Sampling\n\nThe default is {default}.\n");
-        tables::sampling_tables(chapter).iter().for_each(|table| add_table(table, &mut text));
+        tables::sampling_tables(chapter, &derived.operations)
+            .iter()
+            .for_each(|table| add_table(table, &mut text));
     }
     add_run(comparison, &mut text);
     text += "\n## Limits and bias\n\n";
@@ -40,10 +43,10 @@ fn add_scene(scene: &SceneRecord, figures: &SceneFigures, text: &mut String) {
     let name = escaped(&scene.name);
     let _ = write!(
         text,
-        "\n## {name}\n\n{} objects, {} triangles, {} lights; `{}`, SHA-256 `{}`\n",
-        super::numbers::whole(scene.objects),
-        super::numbers::whole(scene.triangles),
-        super::numbers::whole(scene.lights),
+        "\n## {name}\n\n{}, {}, {}; `{}`, SHA-256 `{}`\n",
+        numbers::things(scene.objects, "object"),
+        numbers::things(scene.triangles, "triangle"),
+        numbers::things(scene.lights, "light"),
         scene.path,
         scene.hash
     );
@@ -62,7 +65,7 @@ fn add_scene(scene: &SceneRecord, figures: &SceneFigures, text: &mut String) {
     }
     add_table(&tables::ray_table(figures), text);
     add_table(&tables::structure_table(scene, figures), text);
-    add_table(&tables::picture_table(scene, figures), text);
+    add_table(&tables::picture_table(figures), text);
 }
 
 fn add_run(comparison: &Comparison, text: &mut String) {

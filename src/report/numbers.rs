@@ -42,6 +42,11 @@ pub(super) fn whole(n: u64) -> String {
     grouped(&n.to_string())
 }
 
+/// A number of things, in the plural unless it is one.
+pub(super) fn things(n: u64, thing: &str) -> String {
+    format!("{} {thing}{}", whole(n), if n == 1 { "" } else { "s" })
+}
+
 /// Splits the digits before the point into groups of three.
 fn grouped(number: &str) -> String {
     let digits = number.find('.').unwrap_or(number.len());

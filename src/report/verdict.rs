@@ -45,7 +45,7 @@ fn speed(scene: &SceneFigures) -> Option<String> {
     let speedup = figures.speedup?;
     let sure = numbers::spread(speedup).map_or_else(
         || "too few rounds for an interval".to_owned(),
-        |spread| format!("95\u{a0}% {spread}"),
+        |spread| format!("95\u{a0}%\u{a0}{spread}"),
     );
     Some(format!(
         "{} traces {} rays of {scene} {}\u{a0}× ({sure}) as fast as {base}",
@@ -74,13 +74,13 @@ fn difference(comparison: &Comparison) -> Option<String> {
     for (scene, proof) in proofs {
         if let Some(entry) = proof.structures.iter().find(|entry| !entry.holds()) {
             return Some(format!(
-                "THE ANSWERS DIFFER: {} disagrees with {} on {} in {} pixels and {} hits, so its \
-                 speed means nothing.",
+                "THE ANSWERS DIFFER: {} disagrees with {} on {} in {} and {}, so its speed \
+                 means nothing.",
                 entry.structure,
                 proof.reference,
                 scene.name,
-                numbers::whole(entry.differing_pixels),
-                numbers::whole(entry.differing_hits),
+                numbers::things(entry.differing_pixels, "pixel"),
+                numbers::things(entry.differing_hits, "hit"),
             ));
         }
     }

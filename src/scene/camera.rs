@@ -5,7 +5,7 @@ use glam::{DVec3, Vec3};
 use crate::description;
 use crate::math::Ray;
 
-use super::SceneError;
+use super::{SceneError, range};
 
 /// A pinhole camera with an orthonormal frame (e, u, v, w).
 ///
@@ -29,18 +29,30 @@ impl Camera {
     /// Sets up the frame of a camera.
     ///
     /// # Errors
-    /// If the direction is zero or parallel to the up vector.
+    /// If the direction is zero or parallel to the up vector, or if the eye or the image rectangle
+    /// leaves the range of single precision.
     pub fn new(camera: &description::Camera) -> Result<Self, SceneError> {
-        let w = -camera.direction.try_normalize().ok_or(SceneError::Camera)?;
-        let u = camera.up.cross(w).try_normalize().ok_or(SceneError::Camera)?;
+        let framed = Self::framed(camera).ok_or(SceneError::Camera)?;
+        let near_enough = range::holds_at(camera.eye) && range::holds_at(framed.corner);
+        if near_enough && camera.distance >= range::SMALLEST {
+            Ok(framed)
+        } else {
+            Err(SceneError::CameraOutOfRange)
+        }
+    }
+
+    /// A camera, if it has a frame; that does not depend on the picture's size.
+    fn framed(camera: &description::Camera) -> Option<Self> {
+        let w = -camera.direction.try_normalize()?;
+        let u = camera.up.cross(w).try_normalize()?;
         let v = w.cross(u);
         let (nx, ny) = (f64::from(camera.width), f64::from(camera.height));
-        let top = camera.distance * (0.5 * camera.fovy_degrees.to_radians()).tan();
+        let top = camera.distance * libm::tan(0.5 * camera.fovy_degrees.to_radians());
         let pixel = 2.0 * top / ny;
         // Pixel (−½, −½) is the corner (l, b) of the image rectangle.
         let corner =
             -camera.distance * w - (0.5 * nx - 0.5) * pixel * u - (0.5 * ny - 0.5) * pixel * v;
-        Ok(Self {
+        Some(Self {
             width: camera.width,
             height: camera.height,
             eye: camera.eye.as_vec3(),
@@ -55,7 +67,7 @@ impl Camera {
     #[must_use]
     pub fn resized(&self, width: u32, height: u32) -> Self {
         let camera = description::Camera { width, height, ..self.description.clone() };
-        Self::new(&camera).unwrap_or_else(|_| self.clone())
+        Self::framed(&camera).unwrap_or_else(|| self.clone())
     }
 
     /// The ray through a point of the picture: i from the left, j from the bottom, in pixels, the
@@ -104,5 +116,20 @@ mod tests {
         let mut parallel = camera();
         parallel.up = DVec3::new(0.0, -1.0, 0.0);
         assert_eq!(Camera::new(&parallel).unwrap_err(), SceneError::Camera);
+    }
+
+    #[test]
+    fn lengths_that_single_precision_cannot_multiply_are_refused() {
+        let with = |eye: f64, distance, fovy_degrees| {
+            let eye = DVec3::new(0.0, eye, 0.0);
+            Camera::new(&description::Camera { eye, distance, fovy_degrees, ..camera() }).err()
+        };
+        assert_eq!(with(1e9, 1e-9, 40.0), None);
+        assert_eq!(with(1e9, 1e8, 40.0), None);
+        for (eye, distance, fovy) in
+            [(1e10, 1.0, 40.0), (0.0, 1e-10, 40.0), (0.0, 1e10, 40.0), (0.0, 1.0, 180.0 - 1e-9)]
+        {
+            assert_eq!(with(eye, distance, fovy), Some(SceneError::CameraOutOfRange));
+        }
     }
 }

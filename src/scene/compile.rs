@@ -2,38 +2,43 @@
 
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3, Vec3, Vec3A};
+use glam::{DAffine3, DVec3, Vec3};
 
 use crate::assets::MeshData;
 use crate::description::{self, SceneDescription, Shape};
 use crate::math::{Aabb, Transform};
 use crate::shapes::{Ball, Cylinder, Triangle};
 
-use super::{Camera, Form, Light, Object, Scene, SceneError};
+use super::{Camera, Form, Light, Object, Scene, SceneError, range};
 
 impl Scene {
     /// Compiles a description with its meshes, which stand in the order of
     /// [`SceneDescription::meshes`].
     ///
     /// # Errors
-    /// If the camera or an object's transform is degenerate, or an object leaves the range of
-    /// single precision.
+    /// All objects, lights and cameras of which the transform or frame is degenerate, or that leave
+    /// the range in which the formulas hold in single precision: coordinates up to 10⁹, sizes from
+    /// 10⁻⁹ (see `scene/range.rs` for why).
     ///
     /// # Panics
     /// If an object refers to a mesh or a material that is not there.
     pub fn new(
         description: &SceneDescription,
         meshes: Vec<Arc<MeshData>>,
-    ) -> Result<Self, SceneError> {
-        let mesh_bounds: Vec<Aabb> = meshes.iter().map(|mesh| bounds_of(mesh)).collect();
-        let objects = description
-            .objects
-            .iter()
-            .enumerate()
-            .map(|(id, object)| compile_object(id, object, &mesh_bounds))
-            .collect::<Result<_, _>>()?;
+    ) -> Result<Self, Vec<SceneError>> {
+        let mesh_bounds: Vec<Aabb> = meshes.iter().map(|mesh| mesh.bounds()).collect();
+        let (objects, mut errors) = compile_objects(description, &mesh_bounds);
+        errors.extend(lights_out_of_range(&description.lights));
+        let camera = match Camera::new(&description.camera) {
+            Ok(camera) if errors.is_empty() => camera,
+            Ok(_) => return Err(errors),
+            Err(error) => {
+                errors.push(error);
+                return Err(errors);
+            }
+        };
         Ok(Self {
-            camera: Camera::new(&description.camera)?,
+            camera,
             options: description.options,
             materials: description.materials.clone(),
             objects,
@@ -43,8 +48,67 @@ impl Scene {
     }
 }
 
-fn bounds_of(mesh: &MeshData) -> Aabb {
-    Aabb::of_points(mesh.positions.iter().map(|&p| Vec3A::from(p)))
+/// The objects that can be traced, and what is wrong with the others.
+fn compile_objects(
+    description: &SceneDescription,
+    mesh_bounds: &[Aabb],
+) -> (Vec<Object>, Vec<SceneError>) {
+    let compiled: Vec<_> = description
+        .objects
+        .iter()
+        .enumerate()
+        .map(|(id, object)| compile_object(id, object, mesh_bounds))
+        .collect();
+    let reach = reach(description, compiled.iter().flatten());
+    let (mut objects, mut errors) = (Vec::with_capacity(compiled.len()), Vec::new());
+    for (id, object) in compiled.into_iter().enumerate() {
+        match object {
+            Ok(object) if holds_in_own_space(&object, mesh_bounds, reach) => objects.push(object),
+            Ok(_) => errors.push(SceneError::OutOfRange { object: id }),
+            Err(error) => errors.push(error),
+        }
+    }
+    (objects, errors)
+}
+
+/// How far from the world's origin rays start: the largest coordinate of the objects, the lights
+/// and the eye.
+fn reach<'a>(description: &SceneDescription, objects: impl Iterator<Item = &'a Object>) -> f64 {
+    let of_objects = objects.map(|object| f64::from(object.bounds.largest_coordinate()));
+    let of_lights = description.lights.iter().flat_map(ends).map(|p| p.abs().max_element());
+    let of_eye = description.camera.eye.abs().max_element();
+    of_objects.chain(of_lights).fold(of_eye, f64::max).min(range::LARGEST)
+}
+
+/// The points between which a light is.
+fn ends(light: &description::Light) -> [DVec3; 4] {
+    match *light {
+        description::Light::Point { position, .. } => [position; 4],
+        description::Light::Area { center: c, half_u: u, half_v: v, .. } => {
+            [c - u - v, c - u + v, c + u - v, c + u + v]
+        }
+    }
+}
+
+fn lights_out_of_range(lights: &[description::Light]) -> impl Iterator<Item = SceneError> {
+    let beyond = |&light: &usize| !ends(&lights[light]).into_iter().all(range::holds_at);
+    (0..lights.len()).filter(beyond).map(|light| SceneError::LightOutOfRange { light })
+}
+
+fn holds_in_own_space(object: &Object, mesh_bounds: &[Aabb], reach: f64) -> bool {
+    object.transform.as_ref().is_none_or(|transform| {
+        range::holds_in(transform, &own_bounds(&object.form, mesh_bounds), reach)
+    })
+}
+
+/// The box of a form in its own space.
+fn own_bounds(form: &Form, mesh_bounds: &[Aabb]) -> Aabb {
+    match form {
+        Form::Ball(ball) => ball.bounds(),
+        Form::Cylinder => Cylinder::bounds(),
+        Form::Triangle(triangle) => triangle.bounds(),
+        Form::Mesh { mesh, .. } => mesh_bounds[*mesh],
+    }
 }
 
 fn compile_object(
@@ -67,23 +131,15 @@ fn compile_object(
             .map_err(|source| SceneError::Transform { object: id, source })?;
         Some(Box::new(transform))
     };
-    let own_bounds = match form {
-        Form::Ball(ball) => ball.bounds(),
-        Form::Cylinder => Cylinder::bounds(),
-        Form::Triangle(triangle) => triangle.bounds(),
-        Form::Mesh { mesh, .. } => mesh_bounds[mesh],
-    };
-    let bounds = transform.as_ref().map_or(own_bounds, |t| t.bounds_to_world(&own_bounds));
-    let in_range = bounds.min.is_finite() && bounds.max.is_finite() && !bounds.is_empty();
-    if !in_range || matches!(form, Form::Ball(ball) if !is_normal(ball.radius)) {
+    let own = own_bounds(&form, mesh_bounds);
+    let bounds = transform.as_ref().map_or(own, |t| t.bounds_to_world(&own));
+    // The box of a small ball far from the origin is larger than the ball: it is rounded outwards.
+    let large_enough =
+        !matches!(form, Form::Ball(ball) if 2.0 * f64::from(ball.radius) < range::SMALLEST);
+    if !large_enough || !range::holds_for(&bounds) {
         return Err(SceneError::OutOfRange { object: id });
     }
     Ok(Object { form, transform, bounds, material: object.material })
-}
-
-/// Neither zero nor so small or large that its square leaves single precision.
-fn is_normal(length: f32) -> bool {
-    (length * length).is_normal()
 }
 
 /// A ball whose transform keeps its form is traced where it is; any other becomes the unit ball
@@ -111,7 +167,102 @@ fn uniform_scale(transform: &DAffine3) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DQuat;
+    use crate::description::{Material, MeshReference, Normals, Options};
+    use crate::math::Color;
+    use glam::{DQuat, Vec3A};
+
+    /// A scene of objects with transforms, and of one mesh with a vertex that no triangle uses.
+    fn compiled(objects: Vec<(Shape, DAffine3)>) -> Result<Scene, Vec<SceneError>> {
+        compiled_with(objects, |_| {})
+    }
+
+    fn compiled_with(
+        objects: Vec<(Shape, DAffine3)>,
+        change: impl FnOnce(&mut SceneDescription),
+    ) -> Result<Scene, Vec<SceneError>> {
+        let object =
+            |(shape, transform)| description::Object { shape, transform, material: 0, span: 0..0 };
+        let mut description = SceneDescription {
+            camera: description::Camera {
+                eye: DVec3::ZERO,
+                direction: DVec3::X,
+                up: DVec3::Z,
+                distance: 1.0,
+                fovy_degrees: 40.0,
+                width: 4,
+                height: 3,
+            },
+            options: Options { max_recursion: 0, aa: 0, background: Color::ZERO },
+            materials: vec![Material::default()],
+            meshes: vec![MeshReference { name: "a.obj".to_owned(), span: 0..0 }],
+            objects: objects.into_iter().map(object).collect(),
+            lights: vec![],
+        };
+        change(&mut description);
+        let positions = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::splat(50.0)];
+        let mesh = MeshData::with_averaged_normals(positions, vec![[0, 1, 2]]);
+        Scene::new(&description, vec![Arc::new(mesh)])
+    }
+
+    fn mesh() -> Shape {
+        Shape::Mesh { mesh: 0, normals: Normals::Flat }
+    }
+
+    fn scale(factor: f64) -> DAffine3 {
+        DAffine3::from_scale(DVec3::splat(factor))
+    }
+
+    #[test]
+    fn vertices_without_triangles_take_no_room() {
+        let scene = compiled(vec![(mesh(), DAffine3::IDENTITY)]).unwrap();
+        assert_eq!(scene.bounds().max, Vec3A::new(1.0, 1.0, 0.0));
+    }
+
+    #[test]
+    fn objects_within_the_range_are_taken() {
+        let ball = || Shape::Ball { radius: 1.0, center: DVec3::ZERO };
+        for factor in [1e-8, 1e-3, 1.0, 1e6, 9e8] {
+            let shapes = [ball(), Shape::Cylinder, mesh()];
+            compiled(shapes.map(|shape| (shape, scale(factor))).into()).unwrap();
+        }
+        // A disc as flat as can be.
+        let flat = DAffine3::from_scale(DVec3::new(1.0, 1.0, 1e-12));
+        compiled(vec![(Shape::Cylinder, flat), (ball(), flat)]).unwrap();
+    }
+
+    #[test]
+    fn all_that_is_out_of_range_is_told_at_once() {
+        let far = DAffine3::from_translation(DVec3::X * 2e9);
+        let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
+        let objects = vec![
+            (Shape::Cylinder, scale(1e38)),
+            (Shape::Ball { radius: 1e-10, center: DVec3::ONE }, DAffine3::IDENTITY),
+            (mesh(), far),
+            (Shape::Cylinder, DAffine3::IDENTITY),
+            (Shape::Cylinder, flat),
+            (Shape::Cylinder, DAffine3::from_scale(DVec3::new(1.0, 1.0, 1e-25))),
+        ];
+        let errors = compiled_with(objects, |description| {
+            let color = Color::ONE;
+            description.lights = vec![
+                description::Light::Point { position: DVec3::ONE, color },
+                description::Light::Area {
+                    center: DVec3::ZERO,
+                    half_u: DVec3::X * 1e12,
+                    half_v: DVec3::Y,
+                    color,
+                },
+            ];
+            description.camera.eye = DVec3::X * -1e20;
+        })
+        .unwrap_err();
+        assert!(matches!(errors[3], SceneError::Transform { object: 4, .. }), "{errors:?}");
+        let others: Vec<_> = errors.iter().enumerate().filter(|(i, _)| *i != 3).collect();
+        let objects = [0, 1, 2, 5].map(|object| SceneError::OutOfRange { object });
+        let rest = [SceneError::LightOutOfRange { light: 1 }, SceneError::CameraOutOfRange];
+        let expected: Vec<_> = objects.iter().chain(&rest).collect();
+        assert_eq!(others.into_iter().map(|(_, error)| error).collect::<Vec<_>>(), expected);
+    }
 
     #[test]
     fn turned_and_evenly_scaled_balls_stay_balls() {

@@ -15,7 +15,7 @@ pub enum SceneError {
         /// What is wrong with the matrix.
         source: ConditionError,
     },
-    /// An object's place or size is beyond what single precision holds.
+    /// An object's place or size is beyond the range in which the formulas hold.
     #[error(
         "object {object} is too large, too small or too far away to be traced in single precision"
     )]
@@ -23,7 +23,19 @@ pub enum SceneError {
         /// Index of the object in the description.
         object: usize,
     },
+    /// A light is beyond the range in which the formulas hold.
+    #[error("light {light} is too far away to be traced in single precision")]
+    LightOutOfRange {
+        /// Index of the light in the description.
+        light: usize,
+    },
     /// The camera's frame is degenerate.
     #[error("the camera has no frame: its direction is zero or parallel to its up vector")]
     Camera,
+    /// The camera, or its image rectangle, is beyond the range in which the formulas hold.
+    #[error(
+        "the camera is too far away, or its image plane too near or too far, to be traced in \
+         single precision"
+    )]
+    CameraOutOfRange,
 }

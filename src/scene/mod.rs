@@ -10,6 +10,7 @@ mod error;
 mod lights;
 mod object;
 mod object_list;
+mod range;
 mod structures;
 mod surface;
 mod world;

@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-use glam::{Vec3, Vec3A, Vec4};
+use glam::{DVec3, Vec3, Vec3A, Vec4};
 
 use crate::accel::{Bounded, Primitives};
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray};
-use crate::simd::Lanes3;
+use crate::simd::{Lanes3, ones};
 
 use super::Triangle;
 use super::triangle::scaled_hit;
@@ -65,11 +65,10 @@ impl TriangleSet {
     #[must_use]
     pub fn new(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
         let count = u32::try_from(triangles.len()).expect("fewer than 2^32 triangles");
-        let sum = positions.iter().map(|p| p.as_dvec3()).sum::<glam::DVec3>();
         let mut set = Self {
             packs: vec![Pack::EMPTY; triangles.len().div_ceil(LANES)],
             count,
-            mean_vertex: (sum / positions.len().max(1) as f64).as_vec3a(),
+            mean_vertex: mean_vertex(positions, triangles),
             padding: Padding { largest: 0.0, factor: 1.0 },
         };
         for (i, corners) in triangles.iter().enumerate() {
@@ -235,12 +234,29 @@ impl Pack {
     }
 }
 
-/// The positions of the ones of a mask, the lowest first.
-#[inline(always)]
-fn ones(mut mask: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lowest = (mask != 0).then(|| mask.trailing_zeros() as usize);
-        mask &= mask.wrapping_sub(1);
-        lowest
-    })
+/// The mean of the vertices that the triangles use, each counted once: a file may hold others, and
+/// these are no part of the mesh.
+fn mean_vertex(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec3A {
+    let mut used = vec![false; positions.len()];
+    for &corner in triangles.as_flattened() {
+        used[corner as usize] = true;
+    }
+    let vertices = || positions.iter().zip(&used).filter(|&(_, &used)| used);
+    let sum = vertices().map(|(p, _)| p.as_dvec3()).sum::<DVec3>();
+    (sum / vertices().count().max(1) as f64).as_vec3a()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vertices_without_triangles_do_not_count() {
+        let far = Vec3::splat(1e6);
+        let positions = [far, Vec3::ZERO, Vec3::X, Vec3::ONE, Vec3::Y, far];
+        let set = TriangleSet::new(&positions, &[[1, 2, 3], [1, 3, 4]]);
+        assert_eq!(set.mean_point(), Vec3A::new(0.5, 0.5, 0.25));
+        assert_eq!(set.total_bounds().max, Vec3A::ONE);
+        assert_eq!(TriangleSet::new(&positions, &[]).mean_point(), Vec3A::ZERO);
+    }
 }

@@ -61,9 +61,26 @@ pub fn sub<L: Lanes>(a: Lanes3<L>, b: Lanes3<L>) -> Lanes3<L> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
+/// The positions of the ones of a mask of lanes, the lowest first.
+#[inline(always)]
+pub fn ones(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lowest = (mask != 0).then(|| mask.trailing_zeros() as usize);
+        mask &= mask.wrapping_sub(1);
+        lowest
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ones_are_listed_from_the_lowest() {
+        assert_eq!(ones(0b1010_0001).collect::<Vec<_>>(), [0, 5, 7]);
+        assert_eq!(ones(1 << 31).collect::<Vec<_>>(), [31]);
+        assert_eq!(ones(0).count(), 0);
+    }
 
     #[test]
     fn four_lanes_are_four_scalars() {

@@ -83,7 +83,9 @@ const CONVEX: [&str; 7] = [
     "triangle -9 -9 -1  9 -9 -1  9 9 -1\ntriangle -9 -9 -1  9 9 -1  -9 9 -1",
 ];
 
-/// These have no edges that a picture's rays would pass between: see `watertight.rs`.
+/// How many of them, from the first, have no edges that the rays of a picture pass between. A few
+/// rays in a million get between two triangles (`watertight.rs` says how many, and why); from the
+/// light's own place such a ray sees what the light does not, and that pixel is dark.
 const WITHOUT_CRACKS: usize = 5;
 
 /// Things with an inside.

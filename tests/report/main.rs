@@ -2,5 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
+mod baseline;
 mod html;
+mod same_numbers;
 mod sample;
+mod schema;
+mod text;

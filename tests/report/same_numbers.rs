@@ -1,1 +1,170 @@
-//! same_numbers
+//! Markdown, CSV, HTML and JSON say the same numbers.
+
+use std::collections::{BTreeMap, HashMap};
+
+use serde_json::Value;
+use srt::record::Comparison;
+use srt::report::{csv, html, json, markdown};
+
+use crate::sample;
+
+fn derived(comparison: &Comparison) -> Value {
+    let text = json::write(comparison).unwrap();
+    serde_json::from_str::<Value>(&text).unwrap()["derived"].clone()
+}
+
+/// The lines of cells of all Markdown tables, headings and rules left out.
+fn markdown_rows(text: &str) -> Vec<Vec<String>> {
+    let lines: Vec<&str> = text.lines().collect();
+    let is_rule = |line: &str| line.starts_with("|--");
+    let is_body = |i: &usize| {
+        lines[*i].starts_with("| ") && !lines.get(i + 1).is_some_and(|next| is_rule(next))
+    };
+    let cells = |line: &str| {
+        let inner = line.trim_start_matches("| ").trim_end_matches(" |");
+        inner.split(" | ").map(str::to_owned).collect()
+    };
+    (0..lines.len()).filter(is_body).map(|i| cells(lines[i])).collect()
+}
+
+/// The lines of cells of all HTML tables, intervals in parentheses as Markdown has them.
+fn html_rows(page: &str) -> Vec<Vec<String>> {
+    let cell = |cell: &str| {
+        let (_, inner) = cell.split_once('>').unwrap();
+        let inner = inner.split("</td>").next().unwrap();
+        let inner = inner.replace("<span class=\"spread\">", " (").replace("</span>", ")");
+        inner.replace('|', "\\|").replace('_', "\\_")
+    };
+    page.split("<tr")
+        .filter(|row| row.contains("<td"))
+        .map(|row| row.split("<td").skip(1).map(cell).collect())
+        .collect()
+}
+
+#[test]
+fn html_and_markdown_have_the_same_tables() {
+    for comparison in [sample::full(), sample::partial()] {
+        let page = html::write(&comparison, &BTreeMap::new());
+        let (before, rest) = page.split_once("<details").unwrap();
+        let without_raw_rounds: String = rest
+            .split("</details>")
+            .skip(1)
+            .map(|part| part.split("<details").next().unwrap())
+            .fold(before.to_owned(), |all, part| all + part);
+        let mut from_html = html_rows(&without_raw_rounds);
+        let mut from_markdown = markdown_rows(&markdown::write(&comparison));
+        // Facts are a list on the page: two cells to a line in Markdown.
+        from_markdown.retain(|row| row.len() > 2);
+        from_html.sort();
+        from_markdown.sort();
+        assert!(from_html.len() > 40);
+        assert_eq!(from_html, from_markdown);
+    }
+}
+
+/// A number as it is printed, and half a step of its last figure. Bounds have the decimals of
+/// their median.
+fn printed(text: &str) -> (f64, f64) {
+    let digits: String = text.chars().filter(|c| !matches!(c, '\u{202f}' | '\u{a0}')).collect();
+    let decimals = digits.find('.').map_or(0, |point| digits.len() - point - 1);
+    let half = 0.5 * 10f64.powi(-i32::try_from(decimals).unwrap());
+    (digits.parse().unwrap_or_else(|_| panic!("no number: {text}")), half * (1.0 + 1e-9))
+}
+
+fn assert_printed(text: &str, value: &Value) {
+    let (number, half) = printed(text);
+    let value = value.as_f64().unwrap();
+    assert!((number - value).abs() <= half, "{text} is printed for {value}");
+}
+
+/// `median (low–high)` against an estimate of the JSON.
+fn assert_estimate(text: &str, estimate: &Value) {
+    let Some((median, interval)) = text.split_once(" (") else {
+        assert!(estimate["interval"].is_null());
+        return assert_printed(text, &estimate["median"]);
+    };
+    assert_printed(median, &estimate["median"]);
+    let (low, high) = interval.trim_end_matches(')').split_once('–').unwrap();
+    assert_printed(low, &estimate["interval"]["low"]);
+    assert_printed(high, &estimate["interval"]["high"]);
+}
+
+#[test]
+fn markdown_prints_the_figures_of_the_json() {
+    let comparison = sample::full();
+    let text = markdown::write(&comparison);
+    let derived = derived(&comparison);
+    let mut checked = 0;
+    for scene in derived["scenes"].as_array().unwrap() {
+        let name = scene["scene"].as_str().unwrap();
+        let (_, chapter) = text.split_once(&format!("\n## {name}\n")).unwrap();
+        let (_, table) = chapter.split_once("\n### Rays\n").unwrap();
+        let rows = markdown_rows(table.split("\n### ").next().unwrap());
+        for structure in scene["structures"].as_array().unwrap() {
+            for class in structure["classes"].as_array().unwrap() {
+                let is_own = |row: &&Vec<String>| {
+                    row[0] == class["class"] && row[1] == structure["structure"]
+                };
+                let row = rows.iter().find(is_own).unwrap();
+                assert_printed(&row[2], &class["rays"]);
+                assert_printed(&row[4], &class["boxes_per_ray"]);
+                assert_printed(&row[5], &class["primitives_per_ray"]);
+                assert_estimate(&row[6], &class["ns_per_ray"]);
+                assert_printed(&row[7], &class["cpu_ns_per_ray"]["median"]);
+                assert_estimate(&row[8], &class["million_rays_per_second"]);
+                assert_estimate(&row[9], &class["speedup"]);
+                assert_printed(&row[10], &class["ns_per_ray"]["rounds"]);
+                checked += 1;
+            }
+        }
+    }
+    assert_eq!(checked, 6 * 7);
+}
+
+#[test]
+fn csv_has_every_figure_of_the_json() {
+    for comparison in [sample::full(), sample::partial()] {
+        let text = csv::write(&comparison);
+        let mut lines = text.lines();
+        let heads: Vec<&str> = lines.next().unwrap().split(',').collect();
+        let rows: Vec<HashMap<&str, &str>> =
+            lines.map(|line| heads.iter().copied().zip(line.split(',')).collect()).collect();
+        let mut rows = rows.iter();
+        for scene in derived(&comparison)["scenes"].as_array().unwrap() {
+            for structure in scene["structures"].as_array().unwrap() {
+                let classes = structure["classes"].as_array().unwrap();
+                if classes.is_empty() {
+                    let row = rows.next().unwrap();
+                    assert!(row["class"].is_empty() && row["ns_per_ray"].is_empty());
+                    assert!(matches!(row["status"], "too_slow" | "failed"));
+                }
+                for class in classes {
+                    let row = rows.next().unwrap();
+                    assert_eq!(row["scene"], scene["scene"]);
+                    assert_eq!(row["structure"], structure["structure"]);
+                    assert_eq!(row["class"], class["class"]);
+                    csv_estimate(row, "ns_per_ray", &class["ns_per_ray"]);
+                    csv_estimate(row, "million_rays_per_second", &class["million_rays_per_second"]);
+                    csv_estimate(row, "speedup", &class["speedup"]);
+                    csv_estimate(row, "picture_ns", &structure["picture_ns"]);
+                    same(row["boxes_per_ray"], &class["boxes_per_ray"]);
+                    same(row["rounds"], &class["ns_per_ray"]["rounds"]);
+                    same(row["bytes_per_triangle"], &structure["bytes_per_triangle"]);
+                    same(row["build_all_threads_ns"], &structure["build_all_threads_ns"]["median"]);
+                }
+            }
+        }
+        assert!(rows.next().is_none());
+    }
+}
+
+fn csv_estimate(row: &HashMap<&str, &str>, name: &str, estimate: &Value) {
+    same(row[name], &estimate["median"]);
+    same(row[format!("{name}_low").as_str()], &estimate["interval"]["low"]);
+    same(row[format!("{name}_high").as_str()], &estimate["interval"]["high"]);
+}
+
+/// The same number to the last bit; empty where the JSON has none.
+fn same(text: &str, value: &Value) {
+    assert_eq!(text.parse::<f64>().ok(), value.as_f64(), "{text} for {value}");
+}

@@ -1,1 +1,81 @@
-//! text
+//! The verdict, the terminal's table, and what Markdown says beside its tables.
+
+use srt::record::Status;
+use srt::report::{markdown, terminal, verdict};
+
+use crate::sample;
+
+#[test]
+fn the_verdict_is_one_plain_sentence() {
+    assert_eq!(
+        verdict(&sample::full()),
+        "bvh traces view rays of bunny 431\u{a0}× (95\u{a0}%\u{a0}428–433) as fast as none; \
+         pictures equal bit for bit."
+    );
+    assert_eq!(
+        verdict(&sample::partial()),
+        "Stopped early: THE ANSWERS DIFFER: cwbvh disagrees with none on bunny in 12 pixels and \
+         3 hits, so its speed means nothing."
+    );
+    assert_eq!(verdict(&sample::minimal()), "nothing was traced; no pictures were compared.");
+}
+
+#[test]
+fn the_verdict_of_few_rounds_claims_no_interval() {
+    let mut comparison = sample::full();
+    comparison.scenes.truncate(1);
+    comparison.scenes[0].proof = None;
+    for structure in &mut comparison.scenes[0].structures {
+        structure.classes[0].rounds.truncate(2);
+    }
+    let text = verdict(&comparison);
+    assert!(text.contains("(too few rounds for an interval) as fast as none"), "{text}");
+    assert!(text.ends_with("; no pictures were compared."), "{text}");
+}
+
+#[test]
+fn the_verdict_does_not_praise_what_is_slower() {
+    let mut comparison = sample::full();
+    comparison.base = "bvh".to_owned();
+    let text = verdict(&comparison);
+    assert!(text.starts_with("no structure traces view rays of bunny faster than bvh;"), "{text}");
+    comparison.scenes[0].structures.truncate(1);
+    comparison.scenes.truncate(1);
+    let text = verdict(&comparison);
+    assert!(text.starts_with("no two structures were traced beside each other;"), "{text}");
+}
+
+#[test]
+fn the_terminal_has_a_line_for_each_structure() {
+    insta::assert_snapshot!(terminal::write(&sample::full()));
+    insta::assert_snapshot!(terminal::write(&sample::partial()));
+}
+
+#[test]
+fn markdown_says_what_should_be_doubted() {
+    let mut comparison = sample::full();
+    comparison.run.machine.governor = Some("powersave".to_owned());
+    comparison.run.machine.load_at_start = Some([3.5, 1.0, 1.0]);
+    comparison.run.commit = Some("abc-dirty".to_owned());
+    comparison.scenes[0].structures[0].status = Status::TooSlow { after_seconds: 0.5 };
+    let text = markdown::write(&comparison);
+    for sentence in [
+        "The governor was powersave, not performance",
+        "its load was 3.50",
+        "Files had changed since the commit",
+        "none was not measured in hall; ratios there are to ball.",
+        "The hall was generated with seed 1.",
+        "too slow after 500\u{a0}ms",
+        "at 1.00\u{a0}M triangles: a round would take more",
+    ] {
+        assert!(text.contains(sentence), "{sentence}");
+    }
+    assert!(!markdown::write(&sample::full()).contains("The governor was"));
+}
+
+#[test]
+fn text_of_the_record_breaks_no_table() {
+    let text = markdown::write(&sample::partial());
+    assert!(text.contains("failed: the build ran out of \\| memory &lt;here&gt;"));
+    assert!(text.contains("**Partial:"));
+}

@@ -115,25 +115,25 @@ fn add_room(parts: &mut Parts) {
 fn column(u: f64, v: f64) -> DVec3 {
     let from_end = v.min(1.0 - v);
     let flare = 0.25 * (1.0 - 8.0 * from_end).max(0.0);
-    let fluting = if from_end < 0.125 { 0.0 } else { 0.04 * (TAU * FLUTES * u).cos() };
+    let fluting = if from_end < 0.125 { 0.0 } else { 0.04 * libm::cos(TAU * FLUTES * u) };
     around(u, COLUMN_RADIUS * (1.0 + flare + fluting), COLUMN_HEIGHT * v)
 }
 
 /// Half a ring between the heads of two columns, in the plane y = 0.
 fn arch(u: f64, v: f64) -> DVec3 {
-    let (sin_arc, cos_arc) = (PI * v).sin_cos();
-    let (sin_tube, cos_tube) = (TAU * u).sin_cos();
+    let (sin_arc, cos_arc) = libm::sincos(PI * v);
+    let (sin_tube, cos_tube) = libm::sincos(TAU * u);
     let radius = PITCH / 2.0 + ARCH_RADIUS * cos_tube;
     DVec3::new(-radius * cos_arc, -ARCH_RADIUS * sin_tube, COLUMN_HEIGHT + radius * sin_arc)
 }
 
 /// A bellied vase on the floor, open at the top.
 fn vase(u: f64, v: f64) -> DVec3 {
-    let profile = 0.62 + 0.38 * (PI * (1.7 * v - 0.1)).sin();
+    let profile = 0.62 + 0.38 * libm::sin(PI * (1.7 * v - 0.1));
     around(u, VASE_RADIUS * profile, VASE_HEIGHT * v)
 }
 
 fn around(u: f64, radius: f64, z: f64) -> DVec3 {
-    let (sin, cos) = (TAU * u).sin_cos();
+    let (sin, cos) = libm::sincos(TAU * u);
     DVec3::new(radius * cos, radius * sin, z)
 }

@@ -12,7 +12,7 @@ const STREAM: u64 = 0x736F_7570;
 /// `triangles` triangles, each a function of the seed and its own index, with flat normals.
 pub(super) fn generate(triangles: u32, seed: u64) -> MeshData {
     // Half the edge of the cube in which the corners of one triangle lie.
-    let reach = (f64::from(triangles).powf(-1.0 / 3.0) as f32).min(0.5);
+    let reach = (libm::pow(f64::from(triangles), -1.0 / 3.0) as f32).min(0.5);
     let corners: Vec<[Vec3; 3]> =
         (0..triangles).into_par_iter().map(|i| triangle(seed, i, reach)).collect();
     let numbered: Vec<_> = (0..triangles).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();

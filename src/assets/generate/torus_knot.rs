@@ -40,8 +40,8 @@ struct Frame {
 /// The frame at `v` of the way, from the torus: its normal is perpendicular to every curve on it,
 /// turns smoothly and comes back to its start, which the curve's own principal normal need not.
 fn frame(v: f64) -> Frame {
-    let (sin_turn, cos_turn) = (TAU * TURNS * v).sin_cos();
-    let (sin_wind, cos_wind) = (TAU * WINDINGS * v).sin_cos();
+    let (sin_turn, cos_turn) = libm::sincos(TAU * TURNS * v);
+    let (sin_wind, cos_wind) = libm::sincos(TAU * WINDINGS * v);
     let radial = DVec3::new(cos_turn, sin_turn, 0.0);
     let forward = DVec3::new(-sin_turn, cos_turn, 0.0);
     let out = cos_wind * radial + sin_wind * DVec3::Z;
@@ -53,6 +53,6 @@ fn frame(v: f64) -> Frame {
 
 /// The direction from the curve at `u` of the way around the tube.
 fn normal(u: f64, frame: &Frame) -> DVec3 {
-    let (sin, cos) = (TAU * u).sin_cos();
+    let (sin, cos) = libm::sincos(TAU * u);
     cos * frame.out + sin * frame.side
 }

@@ -4,6 +4,7 @@
 //! [`statistics`](super::statistics).
 
 mod class;
+mod operation;
 mod scene;
 mod sweep;
 
@@ -13,6 +14,7 @@ use super::Comparison;
 
 pub use class::ClassFigures;
 pub(super) use class::wall_ns_per_ray;
+pub use operation::OperationFigures;
 pub use scene::{SceneFigures, StructureFigures};
 pub use sweep::{SweepCurve, SweepFigures, SweepValue};
 
@@ -23,6 +25,8 @@ pub struct Derived {
     pub scenes: Vec<SceneFigures>,
     /// One for each sweep, in the record's order.
     pub sweeps: Vec<SweepFigures>,
+    /// One for each operation of the chapter on sampling, in the record's order.
+    pub operations: Vec<OperationFigures>,
 }
 
 impl Derived {
@@ -30,9 +34,11 @@ impl Derived {
     #[must_use]
     pub fn of(comparison: &Comparison) -> Self {
         let scene = |scene| SceneFigures::of(scene, &comparison.base);
+        let operations = comparison.sampling.iter().flat_map(|chapter| &chapter.costs);
         Self {
             scenes: comparison.scenes.iter().map(scene).collect(),
             sweeps: comparison.sweeps.iter().map(SweepFigures::of).collect(),
+            operations: operations.map(OperationFigures::of).collect(),
         }
     }
 }

@@ -6,7 +6,7 @@ use super::class::{ClassFigures, class_figures, quotient};
 use crate::record::statistics::{
     BreakEven, Cost, Estimate, break_even, estimate, paired_ratio, pareto_front,
 };
-use crate::record::{RayClass, SceneRecord, StructureRecord};
+use crate::record::{PictureRound, RayClass, SceneRecord, StructureRecord};
 
 /// The classes of which a picture is made; only these count into a structure's mean ray.
 const PICTURE_CLASSES: [RayClass; 4] =
@@ -39,6 +39,10 @@ pub struct StructureFigures {
     pub references_per_primitive: Option<f64>,
     /// Wall time of build and rendering on all threads, in nanoseconds.
     pub picture_ns: Option<Estimate>,
+    /// Wall time of the builds within these rounds, in nanoseconds.
+    pub picture_build_ns: Option<Estimate>,
+    /// Wall time of the renderings within these rounds, in nanoseconds.
+    pub picture_render_ns: Option<Estimate>,
     /// How many times as fast as the base is with build and rendering.
     pub picture_speedup: Option<Estimate>,
     /// Wall time of the mean ray of the picture, in nanoseconds: medians of the classes view,
@@ -97,6 +101,8 @@ impl StructureFigures {
                 .and_then(|memory| quotient(memory.index_bytes as f64, triangles as f64)),
             references_per_primitive: shape
                 .and_then(|shape| quotient(shape.references as f64, shape.primitives as f64)),
+            picture_build_ns: estimate(&picture_part(own, |round| round.build_ns)),
+            picture_render_ns: estimate(&picture_part(own, |round| round.render_ns)),
             picture_ns: estimate(&picture_rounds),
             picture_speedup: base.and_then(|base| paired_ratio(&picture_ns(base), &picture_rounds)),
             mean_ray_ns: mean_ray_ns(&classes),
@@ -160,8 +166,12 @@ fn mean_ray_ns(classes: &[ClassFigures]) -> Option<f64> {
 
 /// Build and rendering of each round, in nanoseconds.
 fn picture_ns(structure: &StructureRecord) -> Vec<f64> {
-    let sum = |round: &crate::record::PictureRound| (round.build_ns + round.render_ns) as f64;
-    structure.picture_rounds.iter().map(sum).collect()
+    picture_part(structure, |round| round.build_ns + round.render_ns)
+}
+
+/// Something of each round, in nanoseconds.
+fn picture_part(structure: &StructureRecord, part: fn(&PictureRound) -> u64) -> Vec<f64> {
+    structure.picture_rounds.iter().map(|round| part(round) as f64).collect()
 }
 
 fn floats(values: &[u64]) -> Vec<f64> {

@@ -112,8 +112,9 @@ pub(super) fn break_even(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup
     let series = costs.iter().map(|(structure, cost)| XySeries {
         series: page.series(&structure.structure),
         name: structure.structure.clone(),
-        points: Vec::new(),
-        intervals: Vec::new(),
+        // A marker at the end, so that colour alone does not tell the lines apart.
+        points: vec![(last, total(*cost, last))],
+        intervals: vec![None],
         line: line(*cost),
         dashed: false,
     });
@@ -179,13 +180,13 @@ fn points(page: &Page<'_>, structure: &str, name: String, points: Vec<(f64, f64)
     }
 }
 
-/// Leaves by size, of those structures that are trees.
+/// Leaves by size, of those structures that have more than one.
 pub(super) fn leaves(page: &Page<'_>, scene: &SceneRecord) -> Option<Markup> {
     let bars: Vec<Bars> = scene
         .structures
         .iter()
         .filter_map(|structure| Some((structure, structure.shape.as_ref()?)))
-        .filter(|(_, shape)| shape.depth > 0)
+        .filter(|(_, shape)| shape.leaves > 1)
         .map(|(structure, shape)| Bars {
             series: page.series(&structure.name),
             name: structure.name.clone(),

@@ -106,7 +106,8 @@ fn head(page: &Page<'_>) -> Markup {
     let run = &page.comparison.run;
     html! {
         p class="kicker" { "srt compares acceleration structures" }
-        h1 { (verdict_of(page.comparison, &page.derived)) }
+        // An interval stays in one line.
+        h1 { (verdict_of(page.comparison, &page.derived).replace('–', "\u{2060}–\u{2060}")) }
         p class="byline" {
             @if run.date.is_empty() { "No date" } @else { time datetime=(run.date) { (run.date) } }
             @if !run.machine.cpu.is_empty() { " · " (run.machine.cpu) }
@@ -177,7 +178,7 @@ fn sampling(page: &Page<'_>) -> Markup {
             section id="sampling" {
                 h2 { "Sampling" }
                 p { "What random numbers and shuffling cost, and what they bring. The default is " strong { (chapter.default) } "." }
-                @for own in tables::sampling_tables(chapter) { (table(&own)) }
+                @for own in tables::sampling_tables(chapter, &page.derived.operations) { (table(&own)) }
             }
         }
     }

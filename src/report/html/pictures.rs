@@ -7,11 +7,11 @@ use maud::{Markup, html};
 
 use super::{Page, Pictures};
 use crate::record::{HeatScale, PictureFile, SceneRecord, Spacing};
-use crate::report::numbers;
-use crate::report::plot::{Axis, AxisKind};
+use crate::report::numbers::{self, COUNT};
+use crate::report::plot::{Axis, AxisKind, tick_label};
 
 /// Stops of the colour bar's gradient.
-const STOPS: u32 = 24;
+const STOPS: u32 = 120;
 
 /// All pictures of a scene beside each other, and the colour bar below.
 pub(super) fn strip(page: &Page<'_>, scene: &SceneRecord) -> Markup {
@@ -52,24 +52,24 @@ fn bar(scale: HeatScale) -> Markup {
         Spacing::Linear => AxisKind::Linear,
         Spacing::Logarithmic => AxisKind::Logarithmic,
     };
-    let axis = Axis::new(kind, (scale.low, scale.high), (20.0, 740.0));
+    let axis = Axis::new(kind, (scale.low, scale.high), (24.0, 876.0));
     let spacing = if kind == AxisKind::Linear { "linear" } else { "logarithmic" };
     let label = format!("box and primitive tests per view sample, {spacing}; one scale for all");
     let ends = (numbers::about(scale.low), numbers::about(scale.high));
     html! {
         div class="scroll" tabindex="0" {
-            svg class="bar" role="img" viewBox="0 0 760 58" width="760" height="58"
+            svg class="bar" role="img" shape-rendering="crispEdges" viewBox="0 0 900 58" width="900" height="58"
                 aria-label=(format!("Colour scale from {} to {}: {label}", ends.0, ends.1)) {
                 title { (label) }
                 @for stop in 0..STOPS {
-                    @let width = 720.0 / f64::from(STOPS);
+                    @let width = 852.0 / f64::from(STOPS);
                     @let color = INFERNO.eval_rational(stop as usize, STOPS as usize);
-                    rect x=(20.0 + f64::from(stop) * width) y="2" width=(width + 0.5) height="16" fill=(format!("#{color:x}")) {}
+                    rect x=(24.0 + f64::from(stop) * width) y="2" width=(width + 0.5) height="16" fill=(format!("#{color:x}")) {}
                 }
                 @for tick in axis.ticks() {
-                    text class="tick" x=(format!("{:.1}", axis.at(tick))) y="34" text-anchor="middle" { (numbers::about(tick)) }
+                    text class="tick" x=(format!("{:.1}", axis.at(tick))) y="34" text-anchor="middle" { (tick_label(tick, COUNT)) }
                 }
-                text class="axis" x="380" y="53" text-anchor="middle" { (label) }
+                text class="axis" x="450" y="53" text-anchor="middle" { (label) }
             }
         }
     }

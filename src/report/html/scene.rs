@@ -16,8 +16,8 @@ pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) 
         section id=(format!("scene-{number}")) {
             h2 { (scene.name) }
             p {
-                (numbers::whole(scene.objects)) " objects, " (numbers::whole(scene.triangles)) " triangles, "
-                (numbers::whole(scene.lights)) " lights, from " code { (scene.path) } "."
+                (numbers::things(scene.objects, "object")) ", " (numbers::things(scene.triangles, "triangle")) ", "
+                (numbers::things(scene.lights, "light")) ", from " code { (scene.path) } "."
             }
             p class="hash" { "Scene: SHA-256 " code { (scene.hash) } }
             (pictures::strip(page, scene))
@@ -25,7 +25,7 @@ pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) 
             (plots([figures::speedups(page, own), figures::rates(page, own)]))
             (table(&tables::structure_table(scene, own)))
             (plots([figures::leaves(page, scene), figures::pareto(page, own)]))
-            (table(&tables::picture_table(scene, own)))
+            (table(&tables::picture_table(own)))
             (plots([figures::break_even(page, own), None]))
             (rounds(scene))
         }

@@ -4,6 +4,9 @@ use maud::{Markup, html};
 
 use crate::report::tables::{Cell, Column, Table};
 
+/// Characters up to which a text stays in one line.
+const SHORT: usize = 24;
+
 /// Draws a table; without lines, nothing.
 pub(super) fn table(table: &Table) -> Markup {
     html! {
@@ -17,18 +20,19 @@ pub(super) fn table(table: &Table) -> Markup {
 
 /// The table without its heading.
 pub(super) fn bare(table: &Table) -> Markup {
-    let mut last: Option<&str> = None;
+    let groups: Vec<&str> =
+        table.rows.iter().filter_map(|row| Some(row.first()?.text.as_str())).collect();
+    let repeats = |i: usize| i > 0 && groups.get(i) == groups.get(i - 1);
+    let grouped = (0..groups.len()).any(repeats);
     html! {
         div class="scroll" tabindex="0" {
             table {
                 thead { tr { @for column in &table.columns { th scope="col" class=[class(column)] { (column.head) } } } }
                 tbody {
-                    @for row in &table.rows {
-                        @let group = row.first().map(|cell| cell.text.as_str());
-                        tr class=[(group != last && last.is_some()).then_some("new")] {
+                    @for (i, row) in table.rows.iter().enumerate() {
+                        tr class=[row_class(grouped, repeats(i))] {
                             @for (cell, column) in row.iter().zip(&table.columns) { (cell_markup(cell, column)) }
                         }
-                        @let () = last = group;
                     }
                 }
             }
@@ -36,9 +40,15 @@ pub(super) fn bare(table: &Table) -> Markup {
     }
 }
 
+/// Lines that start alike are a group; all but its first say so quietly.
+fn row_class(grouped: bool, repeats: bool) -> Option<&'static str> {
+    grouped.then_some(if repeats { "again" } else { "new" })
+}
+
 fn cell_markup(cell: &Cell, column: &Column) -> Markup {
+    let is_short = cell.text.chars().count() <= SHORT;
     html! {
-        td class=[class(column)] {
+        td class=[class(column).or(is_short.then_some("short"))] {
             (cell.text)
             @if let Some(spread) = &cell.spread { span class="spread" { (spread) } }
         }

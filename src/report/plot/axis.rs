@@ -97,7 +97,7 @@ fn logarithmic_ticks(low: f64, high: f64) -> Vec<f64> {
 }
 
 /// What is written at a tick: `10 ms`, `0.5`, `1 M`.
-pub(super) fn tick_label(value: f64, units: &'static [Unit]) -> String {
+pub(in crate::report) fn tick_label(value: f64, units: &'static [Unit]) -> String {
     let (name, size) = if units.is_empty() { ("", 1.0) } else { unit_of(value, units) };
     let number = value / size;
     let places = if number > 0.0 && number < 1.0 { (-number.log10()).ceil() as usize } else { 0 };

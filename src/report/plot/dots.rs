@@ -9,8 +9,8 @@ use crate::report::numbers;
 
 const ROW: f64 = 19.0;
 const GROUP_GAP: f64 = 12.0;
-const LEFT: f64 = 190.0;
-const RIGHT: f64 = 150.0;
+const LEFT: f64 = 200.0;
+const RIGHT: f64 = 190.0;
 const TOP: f64 = 8.0;
 const BOTTOM: f64 = 46.0;
 

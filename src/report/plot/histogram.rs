@@ -4,7 +4,6 @@ use maud::{Markup, html};
 
 use super::axis::{Axis, AxisKind};
 use super::{WIDTH, at, color, figure, marker};
-use crate::report::numbers;
 
 const LEFT: f64 = 120.0;
 const TOP: f64 = 8.0;
@@ -78,7 +77,7 @@ fn size_name(column: usize) -> String {
 }
 
 fn percent(share: f64) -> String {
-    if share < 0.000_5 { "< 0.1 %".to_owned() } else { numbers::percent(share) }
+    if share < 0.005 { "< 1\u{a0}%".to_owned() } else { format!("{:.0}\u{a0}%", share * 100.0) }
 }
 
 fn meaning(all: &[&Bars], shares: &[Vec<f64>]) -> String {

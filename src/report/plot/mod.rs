@@ -12,14 +12,14 @@ mod xy;
 
 use maud::{Markup, html};
 
-pub(super) use axis::{Axis, AxisKind};
+pub(super) use axis::{Axis, AxisKind, tick_label};
 pub(super) use dots::{Dot, Group, dot_plot};
 pub(super) use histogram::{Bars, histogram};
 pub(super) use marker::marker;
 pub(super) use xy::{Ends, XyPlot, XySeries};
 
 /// The width of all plots, in units of the drawing: about pixels.
-const WIDTH: f64 = 760.0;
+const WIDTH: f64 = 900.0;
 
 /// A drawing with its heading, and its meaning in words for those who cannot see it.
 fn figure(title: &str, meaning: &str, height: f64, drawing: &Markup) -> Markup {

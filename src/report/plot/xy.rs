@@ -7,9 +7,9 @@ use super::{WIDTH, at, color, figure, marker};
 use crate::report::numbers::Unit;
 
 const LEFT: f64 = 76.0;
-const RIGHT: f64 = 176.0;
+const RIGHT: f64 = 210.0;
 const TOP: f64 = 10.0;
-const HEIGHT: f64 = 340.0;
+const HEIGHT: f64 = 360.0;
 const BOTTOM: f64 = 50.0;
 /// The least distance of names below each other.
 const NAME: f64 = 17.0;

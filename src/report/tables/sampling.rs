@@ -1,36 +1,29 @@
 //! The tables of the chapter on sampling.
 
 use super::{Cell, Table};
-use crate::record::statistics::{Estimate, estimate};
-use crate::record::{OperationCost, Pairing, SamplingChapter};
+use crate::record::derived::OperationFigures;
+use crate::record::{Pairing, SamplingChapter};
 use crate::report::numbers;
 
 /// Costs, shares of a frame, noise.
-pub(in crate::report) fn sampling_tables(chapter: &SamplingChapter) -> Vec<Table> {
-    vec![costs(chapter), shares(chapter), noise(chapter)]
+pub(in crate::report) fn sampling_tables(
+    chapter: &SamplingChapter,
+    operations: &[OperationFigures],
+) -> Vec<Table> {
+    vec![costs(operations), shares(chapter), noise(chapter)]
 }
 
-fn costs(chapter: &SamplingChapter) -> Table {
+fn costs(operations: &[OperationFigures]) -> Table {
     let mut table = Table::new("What an operation costs", "", &["Operation", "#Time", "#Rounds"]);
-    table.rows = chapter
-        .costs
-        .iter()
-        .map(|cost| {
-            let each = each(cost);
-            vec![
-                Cell::text(&cost.operation),
-                Cell::time(each),
-                Cell::of(each, |estimate| estimate.rounds.to_string()),
-            ]
-        })
-        .collect();
+    let row = |figures: &OperationFigures| {
+        vec![
+            Cell::text(&figures.operation),
+            Cell::time(figures.ns),
+            Cell::of(figures.ns, |estimate| estimate.rounds.to_string()),
+        ]
+    };
+    table.rows = operations.iter().map(row).collect();
     table
-}
-
-/// Nanoseconds of one operation.
-fn each(cost: &OperationCost) -> Option<Estimate> {
-    let rounds: Vec<f64> = cost.rounds_ns.iter().map(|&ns| ns as f64 / cost.count as f64).collect();
-    estimate(&rounds)
 }
 
 fn shares(chapter: &SamplingChapter) -> Table {

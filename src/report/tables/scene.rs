@@ -2,7 +2,7 @@
 
 use super::{Cell, Table};
 use crate::record::derived::{ClassFigures, SceneFigures, StructureFigures};
-use crate::record::statistics::{BreakEven, estimate};
+use crate::record::statistics::BreakEven;
 use crate::record::{Proof, SceneRecord, Status, StructureProof, StructureRecord};
 use crate::report::numbers;
 
@@ -89,7 +89,7 @@ fn status(status: &Status) -> String {
         Status::Ok => "ok".to_owned(),
         Status::Failed { message } => format!("failed: {message}"),
         Status::TooSlow { after_seconds } => {
-            format!("too slow: dropped after {}", numbers::time(after_seconds * 1e9))
+            format!("too slow after {}", numbers::time(after_seconds * 1e9))
         }
         Status::Stopped => "stopped early".to_owned(),
     }
@@ -140,7 +140,7 @@ fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
 }
 
 /// Build and rendering together, and from when on a dearer build pays.
-pub(in crate::report) fn picture_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
+pub(in crate::report) fn picture_table(figures: &SceneFigures) -> Table {
     let heads =
         ["Structure", "#Build", "#Render", "#Together", "#× base", "#Rounds", "Ahead of the base"];
     let note = format!(
@@ -149,20 +149,15 @@ pub(in crate::report) fn picture_table(scene: &SceneRecord, figures: &SceneFigur
         figures.base.as_deref().unwrap_or("the base")
     );
     let mut table = Table::new("Time to the picture", note, &heads);
-    let rows = scene.structures.iter().zip(&figures.structures);
-    table.rows = rows.map(|(record, figures)| picture_row(record, figures)).collect();
+    table.rows = figures.structures.iter().map(picture_row).collect();
     table
 }
 
-fn picture_row(record: &StructureRecord, figures: &StructureFigures) -> Vec<Cell> {
-    let part = |ns: fn(&crate::record::PictureRound) -> u64| {
-        let rounds: Vec<f64> = record.picture_rounds.iter().map(|round| ns(round) as f64).collect();
-        Cell::time(estimate(&rounds))
-    };
+fn picture_row(figures: &StructureFigures) -> Vec<Cell> {
     vec![
-        Cell::text(&record.name),
-        part(|round| round.build_ns),
-        part(|round| round.render_ns),
+        Cell::text(&figures.structure),
+        Cell::time(figures.picture_build_ns),
+        Cell::time(figures.picture_render_ns),
         Cell::time(figures.picture_ns),
         Cell::estimate(figures.picture_speedup),
         Cell::of(figures.picture_ns, |estimate| estimate.rounds.to_string()),

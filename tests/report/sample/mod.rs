@@ -1,0 +1,99 @@
+//! Records to make reports of, with figures as they might be measured.
+
+mod chapters;
+mod noise;
+mod pictures;
+mod scenes;
+
+use srt::record::*;
+
+pub(crate) use pictures::pictures;
+
+use chapters::{sampling, sweep};
+use pictures::hash;
+use scenes::{bunny, hall};
+
+fn run() -> Run {
+    Run {
+        command: "srt compare scenes/bunny.sce scenes/hall.sce --accel none,ball,bvh,cwbvh \
+                  --sweep 1k..1M --mesh hall --budget 180"
+            .to_owned(),
+        date: "2026-03-14T15:09:26+01:00".to_owned(),
+        version: "0.1.0".to_owned(),
+        commit: Some("b103d88f2c51".to_owned()),
+        compiler: "rustc 1.91.0".to_owned(),
+        profile: "release".to_owned(),
+        flags: String::new(),
+        machine: Machine {
+            cpu: "Example CPU <16 & more> @ 2.60GHz".to_owned(),
+            cores: 2,
+            memory_bytes: Some(16_624_877_568),
+            os: "Linux 6.1".to_owned(),
+            instruction_set: "avx512".to_owned(),
+            governor: Some("performance".to_owned()),
+            load_at_start: Some([0.12, 0.31, 0.28]),
+        },
+        seed: 42,
+        budget_seconds: Some(180.0),
+        elapsed_seconds: 171.8,
+        partial: false,
+        options: Options {
+            threads: 2,
+            trace_threads: 1,
+            size: Some([640, 480]),
+            aa: Some(1),
+            light_samples: 2,
+            max_recursion: Some(5),
+            sampling: "shuffled".to_owned(),
+            build: "medium".to_owned(),
+        },
+        rounds: RoundRule { warmup: 1, at_least: 10, relative_interval: 0.02 },
+    }
+}
+
+/// Two scenes, four structures, one of them too slow for the second scene, a sweep, a chapter on
+/// sampling.
+pub(crate) fn full() -> Comparison {
+    let mut comparison = Comparison::new(run(), "none");
+    comparison.scenes = vec![bunny(), hall()];
+    comparison.sweeps = vec![sweep()];
+    comparison.sampling = Some(sampling());
+    comparison.notes = vec!["The hall was generated with seed 1.".to_owned()];
+    comparison
+}
+
+/// A run in which nothing was measured.
+pub(crate) fn minimal() -> Comparison {
+    Comparison::new(Run::default(), "none")
+}
+
+/// A run that was stopped in its second scene, with a structure that failed and one that differs.
+pub(crate) fn partial() -> Comparison {
+    let mut comparison = full();
+    comparison.run.partial = true;
+    comparison.sweeps.clear();
+    comparison.sampling = None;
+    let bunny = &mut comparison.scenes[0];
+    bunny.structures[1].status =
+        Status::Failed { message: "the build ran out of | memory <here>".to_owned() };
+    bunny.structures[1].classes.clear();
+    let entry = &mut bunny.proof.as_mut().unwrap().structures[3];
+    entry.picture_equal = Some(false);
+    entry.picture_hash = Some(hash(77));
+    entry.differing_pixels = 12;
+    entry.largest_difference = 0.031_25;
+    entry.differing_hits = 3;
+    entry.first_difference =
+        Some("origin (0, 1, 5), direction (0, 0, -1): t 4.5 where none has 4.25".to_owned());
+    let hall = &mut comparison.scenes[1];
+    for structure in &mut hall.structures[2..] {
+        structure.status = Status::Stopped;
+        structure.classes.truncate(1);
+        structure.classes[0].rounds.truncate(3);
+        structure.picture_rounds.clear();
+        structure.heatmap = None;
+    }
+    hall.picture = None;
+    hall.proof = None;
+    comparison
+}

@@ -1,0 +1,209 @@
+//! Two scenes and the structures over them.
+
+use srt::record::*;
+
+use super::noise::{rounds, times};
+use super::pictures::{hash, picture_file};
+
+/// What is typical of a structure in a scene.
+struct Kind {
+    name: &'static str,
+    build_ms: f64,
+    bytes: u64,
+    nodes: u64,
+    leaves: Vec<u64>,
+    /// Nanoseconds, boxes and primitives of a view ray.
+    view: (f64, f64, f64),
+}
+
+fn class(kind: &Kind, class: RayClass, rays: u64, dearer: f64, key: u64) -> ClassRecord {
+    let (ns, boxes, primitives) = kind.view;
+    ClassRecord {
+        class,
+        rays,
+        hits: rays / 3,
+        boxes: Some((boxes * dearer * rays as f64) as u64),
+        primitives: Some((primitives * dearer * rays as f64) as u64),
+        rounds: rounds(ns * dearer * rays as f64, 12, key),
+    }
+}
+
+fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRecord {
+    let mixed = [
+        (RayClass::View, 307_200, 1.0),
+        (RayClass::Shadow, 512_640, 0.8),
+        (RayClass::Mirror, 81_920, 1.6),
+        (RayClass::Refraction, 20_480, 1.9),
+        (RayClass::Diffuse, 262_144, 2.3),
+        (RayClass::Random, 262_144, 1.4),
+    ];
+    let of_class = |(i, &(name, rays, dearer)): (usize, &(RayClass, u64, f64))| {
+        class(kind, name, rays, dearer, key + i as u64)
+    };
+    let tree = kind.nodes > 1;
+    let render_ms = kind.view.0 * 1.2;
+    StructureRecord {
+        name: kind.name.to_owned(),
+        status: Status::Ok,
+        build: BuildRecord {
+            one_thread_ns: times(kind.build_ms * 1.8e6, 10, key + 50),
+            all_threads_ns: times(kind.build_ms * 1e6, 10, key + 51),
+        },
+        memory: Some(Memory {
+            index_bytes: kind.bytes,
+            primitive_bytes: triangles * 48,
+            peak_resident_bytes: Some(kind.bytes * 3 + triangles * 96),
+        }),
+        shape: Some(Shape {
+            nodes: kind.nodes,
+            leaves: kind.leaves.iter().sum(),
+            depth: if tree { 23 } else { 0 },
+            leaf_sizes: kind.leaves.clone(),
+            primitives: triangles,
+            references: triangles,
+            sah_cost: tree.then_some(38.412),
+            epo: tree.then_some(2.871),
+        }),
+        classes: mixed.iter().enumerate().map(of_class).collect(),
+        picture_rounds: times(render_ms * 1e6, 8, key + 60)
+            .into_iter()
+            .map(|render_ns| PictureRound { build_ns: (kind.build_ms * 1e6) as u64, render_ns })
+            .collect(),
+        heatmap: Some(picture_file(&format!("pictures/{scene}-{}-heat.png", kind.name), key)),
+    }
+}
+
+fn leaves(n: u64) -> Vec<u64> {
+    vec![0, n / 12, n / 6, n / 9, n / 18, n / 60, n / 90, n / 140, n / 200]
+}
+
+fn proof(structures: &[&str], key: u64) -> Proof {
+    let entry = |name: &&str| StructureProof {
+        structure: (*name).to_owned(),
+        picture_hash: Some(hash(key)),
+        picture_equal: Some(true),
+        differing_pixels: 0,
+        largest_difference: 0.0,
+        rays_checked: 1_446_528,
+        differing_hits: 0,
+        first_difference: None,
+    };
+    Proof {
+        reference: structures[0].to_owned(),
+        structures: structures.iter().map(entry).collect(),
+    }
+}
+
+pub(super) fn bunny() -> SceneRecord {
+    let triangles = 69_451;
+    let one_leaf = |n: usize| {
+        let mut sizes = vec![0; n + 1];
+        sizes[n] = 1;
+        sizes
+    };
+    let kinds = [
+        Kind {
+            name: "none",
+            build_ms: 0.412,
+            bytes: 0,
+            nodes: 0,
+            leaves: one_leaf(1_000),
+            view: (61_234.0, 0.0, 69_451.0),
+        },
+        Kind {
+            name: "ball",
+            build_ms: 0.688,
+            bytes: 16,
+            nodes: 1,
+            leaves: one_leaf(1_000),
+            view: (24_310.0, 1.0, 27_600.0),
+        },
+        Kind {
+            name: "bvh",
+            build_ms: 24.6,
+            bytes: 4_444_864,
+            nodes: 34_718,
+            leaves: leaves(triangles),
+            view: (142.0, 31.24, 3.71),
+        },
+        Kind {
+            name: "cwbvh",
+            build_ms: 31.9,
+            bytes: 1_555_700,
+            nodes: 9_120,
+            leaves: leaves(triangles * 3 / 2),
+            view: (161.0, 44.9, 4.2),
+        },
+    ];
+    SceneRecord {
+        name: "bunny".to_owned(),
+        path: "scenes/bunny.sce".to_owned(),
+        hash: hash(1),
+        objects: 3,
+        triangles,
+        lights: 2,
+        picture: Some(picture_file("pictures/bunny.png", 1)),
+        proof: Some(proof(&["none", "ball", "bvh", "cwbvh"], 1)),
+        heat_scale: Some(HeatScale { low: 1.0, high: 412_000.0, spacing: Spacing::Logarithmic }),
+        structures: (0..)
+            .zip(&kinds)
+            .map(|(i, kind)| structure("bunny", kind, triangles, 100 * i))
+            .collect(),
+    }
+}
+
+pub(super) fn hall() -> SceneRecord {
+    let triangles = 279_163;
+    let kinds = [
+        Kind {
+            name: "ball",
+            build_ms: 2.9,
+            bytes: 16,
+            nodes: 1,
+            leaves: {
+                let mut sizes = vec![0; 1_001];
+                sizes[1_000] = 1;
+                sizes
+            },
+            view: (251_000.0, 1.0, 279_163.0),
+        },
+        Kind {
+            name: "bvh",
+            build_ms: 101.3,
+            bytes: 17_866_432,
+            nodes: 139_580,
+            leaves: leaves(triangles),
+            view: (311.0, 66.1, 5.9),
+        },
+        Kind {
+            name: "cwbvh",
+            build_ms: 134.8,
+            bytes: 6_253_200,
+            nodes: 36_710,
+            leaves: leaves(triangles * 3 / 2),
+            view: (287.0, 88.3, 6.6),
+        },
+    ];
+    let too_slow = StructureRecord {
+        name: "none".to_owned(),
+        status: Status::TooSlow { after_seconds: 41.3 },
+        build: BuildRecord {
+            one_thread_ns: times(1.6e6, 10, 7),
+            all_threads_ns: times(1.5e6, 10, 8),
+        },
+        ..StructureRecord::default()
+    };
+    let rest = (10..).zip(&kinds).map(|(i, kind)| structure("hall", kind, triangles, 100 * i));
+    SceneRecord {
+        name: "hall".to_owned(),
+        path: "scenes/hall.sce".to_owned(),
+        hash: hash(2),
+        objects: 1,
+        triangles,
+        lights: 4,
+        picture: Some(picture_file("pictures/hall.png", 2)),
+        proof: Some(proof(&["ball", "bvh", "cwbvh"], 2)),
+        heat_scale: Some(HeatScale { low: 2.0, high: 1_100_000.0, spacing: Spacing::Logarithmic }),
+        structures: std::iter::once(too_slow).chain(rest).collect(),
+    }
+}
