@@ -1,6 +1,6 @@
 //! The same work on several structures → measurements.
 //!
-//! A [`Plan`] says what is compared, [`run`] does it and gives a [`Comparison`], the plain data
+//! A [`Plan`] says what is compared, [`run`] does it and gives a [`Comparison`](crate::record::Comparison), the plain data
 //! that reports are made of. For each scene the rays of a small rendering are recorded once and
 //! replayed to every structure in interleaved rounds; hits and whole pictures are compared bit for
 //! bit. Knows no terminal, no file and no report.
