@@ -19,7 +19,7 @@ use crate::image_io::{Format, encode};
 use crate::record::Comparison;
 use crate::record::baseline::Changes;
 use crate::report::terminal;
-use crate::scene::{STRUCTURES, Structure};
+use crate::scene::{STRUCTURES, Structure, structure_named};
 
 /// Seconds for each scene, and for all, if nobody says how many.
 const SECONDS_A_SCENE: u64 = 30;
@@ -153,9 +153,9 @@ fn plan(arguments: &CompareArguments, scenes: Vec<SceneInput>) -> Plan {
     plan
 }
 
-/// The structures that were named, or all.
+/// The structures that were named, yardsticks among them, or all structures.
 fn structures(arguments: &CompareArguments) -> Vec<Structure> {
-    let named = |name: &String| STRUCTURES.iter().find(|structure| structure.name == *name);
+    let named = |name: &String| structure_named(name);
     match arguments.accel.is_empty() {
         true => STRUCTURES.to_vec(),
         false => arguments.accel.iter().filter_map(named).copied().collect(),

@@ -12,7 +12,7 @@ use crate::accel::Quality;
 use crate::assets::generate::Kind;
 use crate::description::Options;
 use crate::record::RayClass;
-use crate::scene::STRUCTURES;
+use crate::scene::{STRUCTURES, YARDSTICKS};
 
 /// `srt compare`.
 #[derive(Debug, Args)]
@@ -125,5 +125,6 @@ pub(crate) struct ReportArguments {
 
 /// The names of the structures, with what they are.
 fn structure_names() -> PossibleValuesParser {
-    STRUCTURES.iter().map(|s| PossibleValue::new(s.name).help(s.summary)).into()
+    let all = STRUCTURES.iter().chain(YARDSTICKS);
+    all.map(|s| PossibleValue::new(s.name).help(s.summary)).collect::<Vec<_>>().into()
 }

@@ -12,7 +12,7 @@ use crate::accel::Quality;
 use crate::description::Options;
 use crate::image_io::Format;
 use crate::render::{Crop, Sampling, Settings, View};
-use crate::scene::STRUCTURES;
+use crate::scene::{STRUCTURES, YARDSTICKS};
 
 /// The default command: rendering.
 #[derive(Debug, Args)]
@@ -142,5 +142,6 @@ pub(crate) enum StatsForm {
 
 /// The names of the structures, with what they are.
 fn structure_names() -> PossibleValuesParser {
-    STRUCTURES.iter().map(|s| PossibleValue::new(s.name).help(s.summary)).into()
+    let all = STRUCTURES.iter().chain(YARDSTICKS);
+    all.map(|s| PossibleValue::new(s.name).help(s.summary)).collect::<Vec<_>>().into()
 }

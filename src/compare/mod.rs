@@ -13,6 +13,7 @@
 //! | `rounds.rs`, `replay.rs`, `builds.rs`, `pictures.rs`, `clock.rs` | what is timed |
 //! | `sweep.rs` | growth with the number of triangles |
 //! | `proof.rs`, `hash.rs` | that the answers are equal |
+//! | `agreement.rs` | that a yardstick's are close |
 //! | `entrant.rs`, `guard.rs`, `quality.rs` | a structure and its row; its panics; its form |
 //! | `machine.rs` | what measured |
 //!
@@ -49,6 +50,7 @@
 //!
 //! `examples/custom_accel.rs` does this with a uniform grid.
 
+mod agreement;
 mod budget;
 mod builds;
 mod clock;

@@ -104,12 +104,13 @@ fn note(entrant: &mut Entrant<'_>, set: &RaySet, rays: &[Ray], rounds: Vec<Round
         trace(tracer, set.query, rays, &mut answers, Some(&mut counts));
         (answers.hit_count(set.query), counts)
     });
+    let tests = counted.filter(|_| !entrant.structure.yardstick).map(|(_, counts)| counts);
     entrant.record.classes.push(ClassRecord {
         class: set.class,
         rays: rays.len() as u64,
         hits: counted.map_or(0, |(hits, _)| hits),
-        boxes: counted.map(|(_, counts)| counts.boxes),
-        primitives: counted.map(|(_, counts)| counts.primitives),
+        boxes: tests.map(|counts| counts.boxes),
+        primitives: tests.map(|counts| counts.primitives),
         rounds,
     });
 }

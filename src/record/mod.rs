@@ -25,7 +25,7 @@ mod sweep;
 pub use class::{ClassRecord, HardwareCounters, RayClass, Round};
 pub use comparison::{Comparison, SCHEMA_VERSION};
 pub use machine::Machine;
-pub use proof::{Proof, StructureProof};
+pub use proof::{Proof, StructureProof, YardstickProof};
 pub use run::{Options, RoundRule, Run};
 pub use sampling::{FrameShare, NoisePoint, OperationCost, Pairing, SamplingChapter};
 pub use scene::{HeatScale, PictureFile, SceneRecord, Spacing};

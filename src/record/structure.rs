@@ -9,6 +9,10 @@ use super::{ClassRecord, PictureFile, RayClass};
 pub struct StructureRecord {
     /// The name of the structure.
     pub name: String,
+    /// Whether it is another program's, compared for its speed alone: not held to equal answers,
+    /// and without counts, form and heatmap.
+    #[serde(default)]
+    pub yardstick: bool,
     /// Whether it did its work.
     pub status: Status,
     /// What building took.

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::numbers::{self, NOTHING};
+use super::tables;
 use super::verdict::verdict_of;
 use crate::record::baseline::Changes;
 use crate::record::derived::{Derived, SceneFigures, StructureFigures};
@@ -87,14 +88,16 @@ fn speedup(own: &StructureFigures, class: RayClass) -> Option<String> {
 
 /// Whether the answers are equal, or what went wrong.
 fn remark(scene: &SceneRecord, structure: &str, status: &Status) -> String {
-    let proof = scene.proof.as_ref().and_then(|proof| proof.structure(structure));
+    let proof = scene.proof.as_ref();
+    let yardstick = proof.and_then(|proof| proof.yardstick(structure));
+    let proof = proof.and_then(|proof| proof.structure(structure));
     match (status, proof) {
         (Status::Failed { message }, _) => format!("failed: {message}"),
         (Status::TooSlow { .. }, _) => "too slow".to_owned(),
         (_, Some(entry)) if !entry.holds() => "DIFFERS".to_owned(),
         (Status::Stopped, _) => "stopped".to_owned(),
         (Status::Ok, Some(entry)) if entry.picture_equal == Some(true) => "equal".to_owned(),
-        (Status::Ok, _) => NOTHING.to_owned(),
+        (Status::Ok, _) => yardstick.map_or_else(|| NOTHING.to_owned(), tables::agreement),
     }
 }
 

@@ -18,7 +18,9 @@ pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
     if let Some(difference) = difference(comparison) {
         return format!("{partial}{difference}");
     }
-    let speed = derived.scenes.iter().find_map(speed).unwrap_or_else(|| {
+    let scenes = derived.scenes.iter().zip(&comparison.scenes);
+    let speed = scenes.into_iter().find_map(|(figures, scene)| speed(figures, scene));
+    let speed = speed.unwrap_or_else(|| {
         let nothing = "no two structures were traced beside each other";
         if derived.scenes.iter().any(|scene| scene.base.is_some()) {
             nothing.to_owned()
@@ -29,11 +31,11 @@ pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
     format!("{partial}{speed}; {}.", equality(&comparison.scenes))
 }
 
-/// The fastest structure of a scene against its base.
-fn speed(scene: &SceneFigures) -> Option<String> {
+/// The fastest structure of a scene against its base; yardsticks are not in the running.
+fn speed(scene: &SceneFigures, record: &SceneRecord) -> Option<String> {
     let base = scene.base.as_deref()?;
     let class = scene.classes().into_iter().next()?;
-    let (fastest, figures) = fastest(scene, class)?;
+    let (fastest, figures) = fastest(scene, record, class)?;
     let traced = scene.structures.iter().filter(|structure| structure.class(class).is_some());
     let others = traced.count() > 1;
     let scene = &scene.scene;
@@ -55,11 +57,17 @@ fn speed(scene: &SceneFigures) -> Option<String> {
     ))
 }
 
-fn fastest(scene: &SceneFigures, class: RayClass) -> Option<(&StructureFigures, &ClassFigures)> {
+fn fastest<'a>(
+    scene: &'a SceneFigures,
+    record: &SceneRecord,
+    class: RayClass,
+) -> Option<(&'a StructureFigures, &'a ClassFigures)> {
+    let is_yardstick = |name: &str| record.structure(name).is_some_and(|row| row.yardstick);
     let time = |figures: &ClassFigures| figures.ns_per_ray.map(|estimate| estimate.median);
     scene
         .structures
         .iter()
+        .filter(|structure| !is_yardstick(&structure.structure))
         .filter_map(|structure| Some((structure, structure.class(class)?)))
         .filter(|(_, figures)| time(figures).is_some())
         .min_by(|(_, a), (_, b)| {

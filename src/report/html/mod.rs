@@ -124,7 +124,7 @@ fn proof(page: &Page<'_>) -> Markup {
     html! {
         section id="proof" {
             h2 { "Proof" }
-            p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit." }
+            p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit. (A yardstick, another program's, need not.)" }
             @for (scene, proof) in scenes {
                 @let mut own = tables::proof_table(proof);
                 @let () = own.title.clone_from(&scene.name);

@@ -3,7 +3,7 @@
 use super::{Cell, Table};
 use crate::record::derived::{ClassFigures, SceneFigures, StructureFigures};
 use crate::record::statistics::BreakEven;
-use crate::record::{Proof, SceneRecord, Status, StructureProof, StructureRecord};
+use crate::record::{Proof, SceneRecord, Status, StructureProof, StructureRecord, YardstickProof};
 use crate::report::numbers;
 
 /// That the answers are equal.
@@ -18,7 +18,35 @@ pub(in crate::report) fn proof_table(proof: &Proof) -> Table {
     ];
     let mut table = Table::new("Proof", "", &heads);
     table.rows = proof.structures.iter().map(|entry| proof_row(entry, &proof.reference)).collect();
+    if !proof.yardsticks.is_empty() {
+        table.note = YARDSTICK_NOTE.to_owned();
+        table.rows.extend(proof.yardsticks.iter().map(yardstick_row));
+    }
     table
+}
+
+/// What a reader must know of yardsticks.
+const YARDSTICK_NOTE: &str = "A yardstick is not held to equality: its formulas are its own, so its \
+                              hits and pictures differ in their last bits. Its answers agree where \
+                              they name the same primitive, or a distance that is nearly the same.";
+
+fn yardstick_row(entry: &YardstickProof) -> Vec<Cell> {
+    let differing = entry.rays_checked - entry.rays_agreeing;
+    vec![
+        Cell::text(&entry.structure),
+        Cell::text(agreement(entry)),
+        Cell::text("–"),
+        Cell::text("–"),
+        Cell::text(numbers::whole(entry.rays_checked)),
+        Cell::text(format!("{} disagree", numbers::whole(differing))),
+    ]
+}
+
+/// How a yardstick agrees, in words.
+pub(in crate::report) fn agreement(entry: &YardstickProof) -> String {
+    // Rounded down: 100 % are all.
+    let percent = entry.share().map(|share| (share * 1e6).floor() / 1e4);
+    percent.map_or_else(|| "a yardstick".to_owned(), |p| format!("a yardstick: {p} % agree"))
 }
 
 fn proof_row(entry: &StructureProof, reference: &str) -> Vec<Cell> {
