@@ -32,7 +32,7 @@ unsafe impl Send for Device {}
 unsafe impl Sync for Device {}
 
 impl Device {
-    /// A device that builds with so many threads.
+    /// A device that wants so many threads for builds.
     pub(super) fn new(threads: usize) -> Result<Self, EmbreeError> {
         let config = CString::new(format!("threads={threads}")).unwrap_or_default();
         // SAFETY: the text ends with a zero and outlives the call.

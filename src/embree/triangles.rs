@@ -54,12 +54,12 @@ impl Drop for OwnedGeometry {
 }
 
 impl Builder {
-    /// No triangles yet; so many threads will index them.
+    /// No triangles yet.
     ///
     /// # Errors
     /// If Embree has no device for this machine.
-    pub fn new(threads: usize) -> Result<Self, EmbreeError> {
-        let device = Device::new(threads)?;
+    pub fn new() -> Result<Self, EmbreeError> {
+        let device = Device::new(1)?;
         // SAFETY: the device is valid.
         let scene = unsafe { rtcNewScene(device.raw()) };
         device.check()?;
@@ -110,15 +110,20 @@ impl Builder {
         device.check()
     }
 
-    /// Indexes them.
+    /// Indexes them, on so many threads.
     ///
     /// # Errors
     /// If Embree fails, for want of memory.
-    pub fn build(self) -> Result<TriangleScene, EmbreeError> {
+    pub fn build(self, threads: usize) -> Result<TriangleScene, EmbreeError> {
         let Self(mut triangles) = self;
+        // All of a process's builds have as many threads as the device that asks for the most, of
+        // those that are there. So the devices that stay ask for one, and only for a build is there
+        // one that asks for more.
+        let with_threads = Device::new(threads)?;
         triangles.triangle_bytes = triangles.device.bytes();
         // SAFETY: the scene is valid, and nobody else has it.
         unsafe { rtcCommitScene(triangles.scene.0) };
+        drop(with_threads);
         triangles.device.check()?;
         Ok(triangles)
     }

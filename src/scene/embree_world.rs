@@ -27,11 +27,11 @@ impl<const PACKETS: bool> EmbreeWorld<PACKETS> {
     pub(super) fn build(scene: &Scene) -> Result<Self, BuildError> {
         let start = Instant::now();
         let failed = |error: EmbreeError| BuildError::Library { text: error.to_string() };
-        let mut builder = Builder::new(rayon::current_num_threads()).map_err(failed)?;
+        let mut builder = Builder::new().map_err(failed)?;
         for (id, object) in scene.objects.iter().enumerate() {
             add(&mut builder, scene, id, object)?.map_err(failed)?;
         }
-        let triangles = builder.build().map_err(failed)?;
+        let triangles = builder.build(rayon::current_num_threads()).map_err(failed)?;
         Ok(Self { triangles, count: scene.triangle_count(), build_time: start.elapsed() })
     }
 }
