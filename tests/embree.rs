@@ -63,7 +63,7 @@ fn assert_agreement(scene: &Scene) {
 #[test]
 fn hits_agree_on_generated_meshes() {
     for mesh in ["icosphere:20000", "hall:20000", "terrain:20000"] {
-        assert_agreement(&scene(&format!("mesh generate:{mesh}")));
+        assert_agreement(&scene(&format!("object_flat generate:{mesh}")));
     }
 }
 
@@ -71,9 +71,9 @@ fn hits_agree_on_generated_meshes() {
 fn hits_agree_on_transformed_meshes_and_single_triangles() {
     assert_agreement(&scene(
         "triangle -3 -3 -1  3 -3 -1  0 3 -1\n\
-         {\ntranslate 0.2 0.3 0\nrotate 40 1 2 3\nscale 0.5 0.7 0.3\nmesh generate:icosphere:5000\n}\n\
-         mesh generate:terrain:5000\n\
-         {\ntranslate -0.6 0 0.5\nmesh generate:icosphere:5000\n}",
+         {\ntranslate 0.2 0.3 0\nrotate 40 1 2 3\nscale 0.5 0.7 0.3\nobject_flat generate:icosphere:5000\n}\n\
+         object_flat generate:terrain:5000\n\
+         {\ntranslate -0.6 0 0.5\nobject_flat generate:icosphere:5000\n}",
     ));
 }
 
@@ -96,7 +96,7 @@ fn memory_grows_with_the_scene() {
         world.build_report()
     };
     let (small, large) =
-        (report("mesh generate:terrain:5000"), report("mesh generate:terrain:50000"));
+        (report("object_flat generate:terrain:5000"), report("object_flat generate:terrain:50000"));
     assert!(small.meshes.bytes > 5_000 * 36 && large.meshes.bytes > 5 * small.meshes.bytes);
     assert!(large.triangle_bytes > 5 * small.triangle_bytes);
     assert!(large.triangles.abs_diff(50_000) < 1_500);
@@ -126,7 +126,7 @@ fn compared(scene: Scene) -> srt::compare::Outcome {
 
 #[test]
 fn a_comparison_tells_how_many_rays_agree_and_claims_no_equality() {
-    let outcome = compared(scene("mesh generate:terrain:5000"));
+    let outcome = compared(scene("object_flat generate:terrain:5000"));
     assert!(outcome.holds());
     let scene = &outcome.comparison.scenes[0];
     let proof = scene.proof.as_ref().unwrap();
