@@ -4,6 +4,8 @@ use std::fs;
 
 use crate::record::{Machine, Run};
 
+use super::commit::commit;
+
 /// What is known of the machine now.
 pub(super) fn machine() -> Machine {
     Machine {
@@ -23,7 +25,7 @@ pub(super) fn build_of_program() -> Run {
     let told = |value: Option<&str>| value.unwrap_or_default().to_owned();
     Run {
         version: env!("CARGO_PKG_VERSION").to_owned(),
-        commit: option_env!("SRT_COMMIT").map(str::to_owned),
+        commit: commit(),
         compiler: told(option_env!("SRT_COMPILER")),
         profile: told(option_env!("SRT_PROFILE")),
         flags: told(option_env!("SRT_FLAGS")),

@@ -14,7 +14,7 @@
 //! | `sweep.rs` | growth with the number of triangles |
 //! | `proof.rs`, `hash.rs` | that the answers are equal |
 //! | `entrant.rs`, `guard.rs`, `quality.rs` | a structure and its row; its panics; its form |
-//! | `machine.rs` | what measured |
+//! | `machine.rs`, `commit.rs`, `sources.rs` | what measured, and what it was built from |
 //!
 //! # Bring your own structure
 //!
@@ -52,6 +52,7 @@
 mod budget;
 mod builds;
 mod clock;
+mod commit;
 mod entrant;
 mod extra_rays;
 mod guard;
@@ -69,6 +70,7 @@ mod replay;
 mod rounds;
 mod run;
 mod scene;
+mod sources;
 mod sweep;
 
 use rayon::ThreadPool;

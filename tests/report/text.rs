@@ -62,7 +62,7 @@ fn markdown_says_what_should_be_doubted() {
     for sentence in [
         "The governor was powersave, not performance",
         "its load was 3.50",
-        "Files had changed since the commit",
+        "Sources had changed since the commit",
         "none was not measured in hall; ratios there are to ball.",
         "The hall was generated with seed 1.",
         "too slow after 500\u{a0}ms",
