@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use crate::counters::{Counters, Counts, NoCounters};
 use crate::math::{BoxRay, Hit, Ray};
 
-use super::{Accel, BuildConfig, Primitives, StructureShape, Tracer};
+use super::{Accel, BuildConfig, Primitives, StructureShape, Tracer, Tree};
 
 /// Primitives, in the order of their structure.
 #[derive(Clone, Debug)]
@@ -44,6 +44,12 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     #[must_use]
     pub fn shape(&self) -> StructureShape {
         self.accel.shape()
+    }
+
+    /// All nodes of the structure, where it is a tree.
+    #[must_use]
+    pub fn tree(&self) -> Option<Tree> {
+        self.accel.tree()
     }
 
     /// The first hit in the order `(t, object, prim)` with `ray.t_min ≤ t ≤ ray.t_max`, or

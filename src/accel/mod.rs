@@ -18,6 +18,7 @@ mod cwbvh;
 mod indexed;
 mod none;
 mod shape;
+mod tree;
 
 use std::ops::{ControlFlow, Range};
 
@@ -34,6 +35,7 @@ pub use cwbvh::CompressedWideBvh;
 pub use indexed::Indexed;
 pub use none::Exhaustive;
 pub use shape::{LeafHistogram, StructureShape};
+pub use tree::{Tree, TreeNode};
 
 /// A set of things with boxes: all that a structure is built from.
 pub trait Bounded: Sync {
@@ -86,6 +88,12 @@ pub trait Accel: Sized + Send + Sync {
 
     /// Nodes, leaves, depth and bytes.
     fn shape(&self) -> StructureShape;
+
+    /// All nodes with their boxes, for measures of quality ([`Tree::of`] walks a structure); `None`
+    /// where there is no tree.
+    fn tree(&self) -> Option<Tree> {
+        None
+    }
 }
 
 /// What a build returns.

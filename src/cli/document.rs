@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::figures::{RayClass, Report};
 use crate::accel::StructureShape;
+use crate::render::{self, Spacing};
 
 /// The version of [`Document`]: raised when a field changes its meaning or goes away.
 const VERSION: u32 = 1;
@@ -41,6 +42,7 @@ struct Document<'a> {
 struct Scale {
     low: f32,
     high: f32,
+    spacing: &'static str,
 }
 
 #[derive(Serialize)]
@@ -80,6 +82,16 @@ struct Class {
     primitives_per_ray: Option<f64>,
 }
 
+impl From<render::Scale> for Scale {
+    fn from(scale: render::Scale) -> Self {
+        let spacing = match scale.spacing {
+            Spacing::Linear => "linear",
+            Spacing::Logarithmic => "logarithmic",
+        };
+        Self { low: scale.low, high: scale.high, spacing }
+    }
+}
+
 impl<'a> From<&'a Report> for Document<'a> {
     fn from(report: &'a Report) -> Self {
         let rays = report.total_rays();
@@ -90,7 +102,7 @@ impl<'a> From<&'a Report> for Document<'a> {
             width: report.width,
             height: report.height,
             view: report.view.name(),
-            scale: report.scale.map(|scale| Scale { low: scale.low, high: scale.high }),
+            scale: report.scale.map(Scale::from),
             partial: report.partial,
             threads: report.threads,
             structure: Structure::from(report),

@@ -90,8 +90,8 @@ pub(crate) struct RenderArguments {
 
     /// What the pixels show
     ///
-    /// Depths and heatmaps are coloured, with the scale on standard error; exr and hdr get the
-    /// numbers themselves.
+    /// Depths (in steps of equal factors) and heatmaps are coloured, with the scale on standard
+    /// error; exr and hdr get the numbers themselves.
     #[arg(long, value_name = "WHAT", default_value = View::default().name(),
         value_parser = described(&View::ALL, View::name, View::summary),
         help_heading = "Picture")]
@@ -117,8 +117,8 @@ pub(crate) struct RenderArguments {
     /// The table goes to standard error. JSON goes to standard output, unless the picture does.
     /// Counting takes some time; the picture stays the same.
     ///
-    /// The JSON is one object of `version` 1: scene, width, height, view, scale (low and high, of
-    /// depths and heatmaps), partial, threads, structure (name, build, build_seconds, objects and
+    /// The JSON is one object of `version` 1: scene, width, height, view, scale (low, high
+    /// and spacing, of depths and heatmaps), partial, threads, structure (name, build, build_seconds, objects and
     /// meshes with bytes, nodes, leaves, depth and leaf_sizes, triangles, triangle_bytes,
     /// bytes_per_triangle), render_seconds, rays, rays_per_second and classes (class, rays, hits,
     /// boxes, primitives, boxes_per_ray, primitives_per_ray). Means of nothing are null.

@@ -47,7 +47,7 @@ impl<'a> Entrant<'a> {
     }
 
     /// Lets it trace something. `None` if it cannot, or if it fails now.
-    pub(super) fn attempt<T>(&mut self, work: impl FnOnce(&dyn Tracer) -> T) -> Option<T> {
+    pub(super) fn attempt<T>(&mut self, work: impl FnOnce(&dyn TracedWorld) -> T) -> Option<T> {
         let world = self.world.as_deref()?;
         match guarded(|| work(world)) {
             Ok(result) => Some(result),

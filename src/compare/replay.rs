@@ -15,6 +15,7 @@ use super::Stage;
 use super::budget::Budget;
 use super::clock::timed;
 use super::entrant::{Answers, Entrant, trace};
+use super::hardware::Hardware;
 use super::record_rays::{RaySet, spread};
 use super::rounds::{Repeat, interleaved};
 
@@ -81,12 +82,15 @@ pub(super) fn replay(
         lanes.push(Lane { entrant: index, rays, answers: Answers::default() });
     }
     let repeat = Repeat { rule, budget, cancelled: &|| (stage.cancelled)() };
+    let mut hardware = Hardware::of_this_thread();
     let rounds = interleaved(lanes.len(), &repeat, |lane| {
         let Lane { entrant, rays, answers } = &mut lanes[lane];
         let entrant = &mut entrants[*entrant];
         entrant.attempt(|tracer| {
-            let ((), round) = timed(|| trace(tracer, set.query, rays, answers, None));
-            (round, round.wall_ns)
+            // The counters are set going outside of what is timed.
+            let work = || timed(|| trace(tracer, set.query, rays, answers, None));
+            let (((), round), counts) = hardware.count(work);
+            (Round { hardware: counts, ..round }, round.wall_ns)
         })
     });
     for (lane, rounds) in lanes.iter().zip(rounds) {

@@ -164,6 +164,5 @@ fn general_notes() -> Vec<String> {
          says, evenly spread over them: nanoseconds per ray stay comparable, but carry the \
          uncertainty of the choice beside that of the rounds."
             .into(),
-        "End-point overlap was not computed, and no hardware counters were read.".into(),
     ]
 }

@@ -13,7 +13,7 @@ use super::entrant::Entrant;
 use super::plan::{Plan, SceneInput};
 use super::progress::Progress;
 use super::record_rays::{Limits, Recording, record};
-use super::{Pools, builds, extra_rays, picture_steps, pictures, proof, replay};
+use super::{Pools, builds, extra_rays, picture_steps, pictures, proof, quality, replay};
 
 /// What all steps of a scene share.
 pub(super) struct Stage<'a> {
@@ -82,13 +82,14 @@ pub(super) fn compare_scene(
 type Step<'a> = (&'static str, fn(&mut Work<'a>, Budget));
 
 /// What is done in a scene: first what proves, then what measures.
-fn steps<'a>() -> [Step<'a>; 7] {
+fn steps<'a>() -> [Step<'a>; 8] {
     [
         ("building", |work, _| builds::build_all(&mut work.entrants, &work.stage)),
         ("recording rays", Work::record),
         ("comparing hits", Work::prove_hits),
         ("rendering", Work::render),
         ("drawing heatmaps", Work::draw_heatmaps),
+        ("measuring overlap", |work, _| quality::add_overlap(&mut work.entrants, &work.stage)),
         ("timing builds", |work, budget| {
             builds::measure(&mut work.entrants, &work.stage, budget.share(0.25));
         }),

@@ -19,7 +19,7 @@ mod stats;
 mod tiles;
 mod views;
 
-pub use color_map::{Scale, heat_picture};
+pub use color_map::{Scale, Spacing, heat_picture};
 pub use observer::{Observer, Silent};
 pub use settings::{Crop, Sampling, Settings, View};
 pub use stats::{ClassStats, RayClass, RenderStats};

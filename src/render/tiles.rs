@@ -210,7 +210,7 @@ fn assemble(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::{Sampling, Scale};
+    use crate::render::{Sampling, Scale, Spacing};
 
     /// Two tiles side by side, the second of which was not rendered.
     fn half_rendered(view: View) -> Rendering {
@@ -238,7 +238,8 @@ mod tests {
             let rendering = half_rendered(view);
             assert!(!rendering.complete);
             let Sight::Field { values, .. } = rendering.sight else { panic!("not a field") };
-            assert_eq!(Scale::of(&values), Some(Scale { low: 5.0, high: 36.0 }));
+            let scale = Scale { low: 5.0, high: 36.0, spacing: Spacing::Linear };
+            assert_eq!(Scale::of(&values), Some(scale));
             assert!(values[16..20].iter().all(|value| value.is_nan()));
         }
     }

@@ -64,6 +64,7 @@ fn add_scene(scene: &SceneRecord, figures: &SceneFigures, text: &mut String) {
         }
     }
     add_table(&tables::ray_table(figures), text);
+    add_table(&tables::hardware_table(figures), text);
     add_table(&tables::structure_table(scene, figures), text);
     add_table(&tables::picture_table(figures), text);
 }

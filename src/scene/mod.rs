@@ -21,6 +21,8 @@ use crate::assets::MeshData;
 use crate::description::{Material, Options};
 use crate::math::Aabb;
 
+pub use crate::shapes::EndPointOverlap;
+
 pub use camera::Camera;
 pub use error::SceneError;
 pub use lights::Light;

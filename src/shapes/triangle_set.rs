@@ -91,6 +91,13 @@ impl TriangleSet {
         (self.packs.capacity() * size_of::<Pack>()) as u64
     }
 
+    /// The corners of the triangle in a slot, in double precision.
+    pub(super) fn corners(&self, slot: u32) -> [DVec3; 3] {
+        let Triangle { v0, e1, e2 } = self.slot(slot).0;
+        let v0 = v0.as_dvec3();
+        [v0, v0 + e1.as_dvec3(), v0 + e2.as_dvec3()]
+    }
+
     fn slot(&self, slot: u32) -> (Triangle, u32) {
         let (pack, lane) = (&self.packs[slot as usize / LANES], slot as usize % LANES);
         (pack.triangle(lane), pack.prim[lane])

@@ -150,6 +150,11 @@ fn csv_has_every_figure_of_the_json() {
                     same(row["boxes_per_ray"], &class["boxes_per_ray"]);
                     same(row["rounds"], &class["ns_per_ray"]["rounds"]);
                     same(row["bytes_per_triangle"], &structure["bytes_per_triangle"]);
+                    for name in
+                        ["instructions_per_cycle", "branch_misses_per_ray", "cache_misses_per_ray"]
+                    {
+                        same(row[name], &class[name]["median"]);
+                    }
                     same(row["build_all_threads_ns"], &structure["build_all_threads_ns"]["median"]);
                 }
             }

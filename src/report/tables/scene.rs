@@ -3,7 +3,7 @@
 use super::{Cell, Table};
 use crate::record::derived::{ClassFigures, SceneFigures, StructureFigures};
 use crate::record::statistics::BreakEven;
-use crate::record::{Proof, SceneRecord, Status, StructureProof, StructureRecord};
+use crate::record::{Proof, SceneRecord, Shape, Status, StructureProof, StructureRecord};
 use crate::report::numbers;
 
 /// That the answers are equal.
@@ -55,8 +55,13 @@ pub(in crate::report) fn structure_table(scene: &SceneRecord, figures: &SceneFig
         "#SAH cost",
         "#EPO",
     ];
-    let note = "Memory is that of the index without its primitives. Below a time stands the 95 % \
-                interval of its median.";
+    let note = format!(
+        "Memory is that of the index without its primitives. Below a time stands the 95 % interval \
+         of its median. SAH cost is what a ray pays by the surface area heuristic, EPO what one \
+         pays that ends on a surface, in boxes that the surface does not belong to; a test costs 1. \
+         {}",
+        overlap_note(scene)
+    );
     let mut table = Table::new("Structures", note, &heads);
     let rows = scene.structures.iter().zip(&figures.structures);
     table.rows = rows.map(|(record, figures)| structure_row(record, figures)).collect();
@@ -79,8 +84,26 @@ fn structure_row(record: &StructureRecord, figures: &StructureFigures) -> Vec<Ce
         Cell::of(shape.map(|shape| shape.depth), |depth| depth.to_string()),
         Cell::of(figures.references_per_primitive, numbers::figures),
         Cell::of(shape.and_then(|shape| shape.sah_cost), numbers::figures),
-        Cell::of(shape.and_then(|shape| shape.epo), numbers::figures),
+        Cell::of(shape.and_then(overlap), |text| text),
     ]
+}
+
+/// End-point overlap, with its standard error where it was estimated.
+fn overlap(shape: &Shape) -> Option<String> {
+    let error = shape.epo_standard_error.map(|error| format!(" ± {}", numbers::figures(error)));
+    Some(numbers::figures(shape.epo?) + &error.unwrap_or_default())
+}
+
+/// How many triangles end-point overlaps were estimated from.
+fn overlap_note(scene: &SceneRecord) -> String {
+    let samples = scene.structures.iter().find_map(|own| own.shape.as_ref()?.epo_samples);
+    samples.map_or_else(String::new, |samples| {
+        format!(
+            "EPO was estimated from {} that were chosen by area; behind ± stands its standard \
+             error.",
+            numbers::things(samples, "triangle")
+        )
+    })
 }
 
 /// A status in words.
@@ -137,6 +160,29 @@ fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
         Cell::estimate(class.speedup),
         Cell::of(class.ns_per_ray, |estimate| estimate.rounds.to_string()),
     ]
+}
+
+/// What the processor counted; without lines where it was not granted.
+pub(in crate::report) fn hardware_table(figures: &SceneFigures) -> Table {
+    let heads =
+        ["Class", "Structure", "#Instructions/cycle", "#Branch misses/ray", "#Cache misses/ray"];
+    let note = "Medians of rounds, each with its 95 % interval; cache misses are those of the last \
+                cache.";
+    let mut table = Table::new("Hardware counters", note, &heads);
+    for class in figures.classes() {
+        let rows = figures.structures.iter().filter_map(|s| Some((s, s.class(class)?)));
+        table.rows.extend(rows.filter_map(|(own, class)| hardware_row(&own.structure, class)));
+    }
+    table
+}
+
+fn hardware_row(structure: &str, class: &ClassFigures) -> Option<Vec<Cell>> {
+    let counted =
+        [class.instructions_per_cycle, class.branch_misses_per_ray, class.cache_misses_per_ray];
+    counted.iter().any(Option::is_some).then(|| {
+        let names = [Cell::text(class.class.name()), Cell::text(structure)];
+        names.into_iter().chain(counted.map(Cell::estimate)).collect()
+    })
 }
 
 /// Build and rendering together, and from when on a dearer build pays.

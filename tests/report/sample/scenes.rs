@@ -63,6 +63,8 @@ fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRec
             references: triangles,
             sah_cost: tree.then_some(38.412),
             epo: tree.then_some(2.871),
+            epo_standard_error: tree.then_some(0.034),
+            epo_samples: tree.then_some(20_000),
         }),
         classes: mixed.iter().enumerate().map(of_class).collect(),
         picture_rounds: times(render_ms * 1e6, 8, key + 60)
