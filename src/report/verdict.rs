@@ -1,13 +1,17 @@
 //! The comparison in one plain sentence.
 
 use super::numbers;
-use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures};
+use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures, SweepFigures};
 use crate::record::{Comparison, Proof, RayClass, SceneRecord};
+
+/// Scenes that are named as not proved; more are counted.
+const NAMED_SCENES: usize = 3;
 
 /// Who is how much faster than whom, at what, how sure that is, and whether the pictures are equal.
 ///
-/// It speaks of the first scene, of view rays if there were any, and of the fastest structure; if
-/// anything differs, it says that instead, because unequal work cannot be compared.
+/// It speaks of the first scene, of view rays if there were any, and of the fastest structure;
+/// without scenes, of how cost grows. If anything differs, it says that instead, because unequal
+/// work cannot be compared.
 #[must_use]
 pub fn verdict(comparison: &Comparison) -> String {
     verdict_of(comparison, &Derived::of(comparison))
@@ -18,7 +22,9 @@ pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
     if let Some(difference) = difference(comparison) {
         return format!("{partial}{difference}");
     }
-    let speed = derived.scenes.iter().find_map(speed).unwrap_or_else(|| {
+    let alone = comparison.scenes.is_empty();
+    let growth = || derived.sweeps.iter().filter(|_| alone).find_map(growth);
+    let speed = derived.scenes.iter().find_map(speed).or_else(growth).unwrap_or_else(|| {
         let nothing = "no two structures were traced beside each other";
         if derived.scenes.iter().any(|scene| scene.base.is_some()) {
             nothing.to_owned()
@@ -55,6 +61,28 @@ fn speed(scene: &SceneFigures) -> Option<String> {
     ))
 }
 
+/// The fastest structure at the largest size of a sweep, and how its cost grows.
+fn growth(sweep: &SweepFigures) -> Option<String> {
+    let class = sweep.classes().into_iter().next()?;
+    let ends = sweep.curves.iter().filter(|curve| curve.class == class);
+    let ends = ends.filter_map(|curve| Some((curve, curve.values.last()?)));
+    let (curve, end) = ends.min_by(|(_, a), (_, b)| {
+        let time = a.ns_per_ray.median.total_cmp(&b.ns_per_ray.median);
+        b.triangles.cmp(&a.triangles).then(time)
+    })?;
+    let slope = curve.fit.map_or_else(String::new, |fit| {
+        format!("; its cost grows with the power {:.2} of the number of triangles", fit.slope)
+    });
+    Some(format!(
+        "{} traces {} rays of {} with {} triangles fastest, in {} each{slope}",
+        curve.structure,
+        class.name(),
+        sweep.mesh,
+        numbers::count(end.triangles),
+        numbers::time(end.ns_per_ray.median),
+    ))
+}
+
 fn fastest(scene: &SceneFigures, class: RayClass) -> Option<(&StructureFigures, &ClassFigures)> {
     let time = |figures: &ClassFigures| figures.ns_per_ray.map(|estimate| estimate.median);
     scene
@@ -87,15 +115,46 @@ fn difference(comparison: &Comparison) -> Option<String> {
     None
 }
 
-/// What was shown to be equal.
+/// What was shown to be equal: of how many pictures, and why not of the others.
 fn equality(scenes: &[SceneRecord]) -> String {
-    let compared = |proof: &Proof| {
-        proof.structures.len() > 1 && proof.structures.iter().all(|e| e.picture_equal == Some(true))
+    let compared = |scene: &SceneRecord| {
+        let equal = |proof: &Proof| proof.structures.iter().any(|e| e.picture_equal == Some(true));
+        scene.proof.as_ref().is_some_and(|proof| proof.structures.len() > 1 && equal(proof))
     };
-    let proved = scenes.iter().filter(|scene| scene.proof.as_ref().is_some_and(compared)).count();
-    match (proved, scenes.len()) {
-        (0, _) => "no pictures were compared".to_owned(),
-        (a, b) if a == b => "pictures equal bit for bit".to_owned(),
-        (a, b) => format!("pictures equal bit for bit in {a} of {b} scenes, the others unproved"),
+    let unproved: Vec<String> = scenes.iter().filter_map(unproved).collect();
+    let proved = scenes.len() - unproved.len();
+    if !scenes.iter().any(compared) {
+        return "no pictures were compared".to_owned();
     }
+    if unproved.is_empty() {
+        return "pictures equal bit for bit".to_owned();
+    }
+    let others = match unproved.len().saturating_sub(NAMED_SCENES) {
+        0 => String::new(),
+        others => format!(" and {others} more"),
+    };
+    format!(
+        "{proved} of {} pictures proved equal bit for bit, {} not compared whole: {}{others}",
+        scenes.len(),
+        unproved.len(),
+        unproved[..unproved.len().min(NAMED_SCENES)].join(", "),
+    )
+}
+
+/// A scene whose whole picture was not compared with every structure, and what each of the others
+/// rendered instead; `None` if all were.
+fn unproved(scene: &SceneRecord) -> Option<String> {
+    let missing = |name: &str| {
+        let entry = scene.proof.as_ref().and_then(|proof| proof.structure(name));
+        match entry.map(|entry| (entry.picture_equal, entry.picture_hash.is_some())) {
+            Some((Some(true), true)) => None,
+            Some((Some(true), false)) => Some(format!("a smaller one from `{name}`")),
+            _ => Some(format!("no picture from `{name}`")),
+        }
+    };
+    let names = scene.structures.iter().map(|structure| structure.name.as_str());
+    let reasons: Vec<String> = names.filter_map(missing).collect();
+    let single = scene.structures.len() < 2;
+    let reason = if single { "nothing to compare it with".to_owned() } else { reasons.join(", ") };
+    (single || !reasons.is_empty()).then(|| format!("{} ({reason})", scene.name))
 }

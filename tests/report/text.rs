@@ -10,7 +10,8 @@ fn the_verdict_is_one_plain_sentence() {
     assert_eq!(
         verdict(&sample::full()),
         "bvh traces view rays of bunny 431\u{a0}× (95\u{a0}%\u{a0}428–433) as fast as none; \
-         pictures equal bit for bit."
+         1 of 2 pictures proved equal bit for bit, 1 not compared whole: hall (no picture from \
+         `none`)."
     );
     assert_eq!(
         verdict(&sample::partial()),
@@ -43,6 +44,37 @@ fn the_verdict_does_not_praise_what_is_slower() {
     comparison.scenes.truncate(1);
     let text = verdict(&comparison);
     assert!(text.starts_with("no two structures were traced beside each other;"), "{text}");
+}
+
+#[test]
+fn the_verdict_says_of_how_many_pictures_it_is_true() {
+    let mut comparison = sample::full();
+    comparison.scenes.truncate(1);
+    assert!(verdict(&comparison).ends_with("; pictures equal bit for bit."));
+    // A picture without a hash is not the whole one.
+    comparison.scenes[0].proof.as_mut().unwrap().structures[1].picture_hash = None;
+    let text = verdict(&comparison);
+    let end = "; 0 of 1 pictures proved equal bit for bit, 1 not compared whole: bunny (a smaller \
+               one from `ball`).";
+    assert!(text.ends_with(end), "{text}");
+    let smaller = comparison.scenes[0].clone();
+    comparison.scenes.extend([smaller.clone(), smaller.clone(), smaller]);
+    assert!(verdict(&comparison).ends_with("(a smaller one from `ball`) and 1 more."));
+}
+
+#[test]
+fn the_verdict_without_scenes_speaks_of_growth() {
+    let mut comparison = sample::full();
+    comparison.scenes.clear();
+    let text = verdict(&comparison);
+    let parts = [
+        "traces view rays of hall with ",
+        " triangles fastest, in ",
+        " each; its cost grows \
+                 with the power ",
+        " of the number of triangles; no pictures were compared.",
+    ];
+    assert!(parts.iter().all(|part| text.contains(part)), "{text}");
 }
 
 #[test]
