@@ -141,20 +141,25 @@ fn equality(scenes: &[SceneRecord]) -> String {
     )
 }
 
-/// A scene whose whole picture was not compared with every structure, and what each of the others
-/// rendered instead; `None` if all were.
+/// A scene whose whole picture was not compared with every structure, and what the others made
+/// instead; `None` if all were.
 fn unproved(scene: &SceneRecord) -> Option<String> {
-    let missing = |name: &str| {
-        let entry = scene.proof.as_ref().and_then(|proof| proof.structure(name));
+    if scene.structures.len() < 2 {
+        return Some(format!("{} (nothing to compare it with)", scene.name));
+    }
+    let (mut without, mut smaller) = (Vec::new(), Vec::new());
+    for structure in &scene.structures {
+        let entry = scene.proof.as_ref().and_then(|proof| proof.structure(&structure.name));
         match entry.map(|entry| (entry.picture_equal, entry.picture_hash.is_some())) {
-            Some((Some(true), true)) => None,
-            Some((Some(true), false)) => Some(format!("a smaller one from `{name}`")),
-            _ => Some(format!("no picture from `{name}`")),
+            Some((Some(true), true)) => {}
+            Some((Some(true), false)) => smaller.push(format!("`{}`", structure.name)),
+            _ => without.push(format!("`{}`", structure.name)),
         }
-    };
-    let names = scene.structures.iter().map(|structure| structure.name.as_str());
-    let reasons: Vec<String> = names.filter_map(missing).collect();
-    let single = scene.structures.len() < 2;
-    let reason = if single { "nothing to compare it with".to_owned() } else { reasons.join(", ") };
-    (single || !reasons.is_empty()).then(|| format!("{} ({reason})", scene.name))
+    }
+    let reasons: Vec<String> = [("no picture", without), ("a smaller one", smaller)]
+        .into_iter()
+        .filter(|(_, names)| !names.is_empty())
+        .map(|(what, names)| format!("{what} from {}", names.join(", ")))
+        .collect();
+    (!reasons.is_empty()).then(|| format!("{} ({})", scene.name, reasons.join("; ")))
 }

@@ -58,8 +58,8 @@ pub(in crate::report) fn structure_table(scene: &SceneRecord, figures: &SceneFig
     let note = format!(
         "Memory is that of the index without its primitives. Below a time stands the 95 % interval \
          of its median. SAH cost is what a ray pays by the surface area heuristic, EPO what one \
-         pays that ends on a surface, in boxes that the surface does not belong to; a test costs 1. \
-         {}",
+         pays that ends on a surface, in boxes that the surface does not belong to; a test costs \
+         1.{}",
         overlap_note(scene)
     );
     let mut table = Table::new("Structures", note, &heads);
@@ -84,14 +84,16 @@ fn structure_row(record: &StructureRecord, figures: &StructureFigures) -> Vec<Ce
         Cell::of(shape.map(|shape| shape.depth), |depth| depth.to_string()),
         Cell::of(figures.references_per_primitive, numbers::figures),
         Cell::of(shape.and_then(|shape| shape.sah_cost), numbers::figures),
-        Cell::of(shape.and_then(overlap), |text| text),
+        shape.and_then(overlap).unwrap_or_else(Cell::nothing),
     ]
 }
 
 /// End-point overlap, with its standard error where it was estimated.
-fn overlap(shape: &Shape) -> Option<String> {
-    let error = shape.epo_standard_error.map(|error| format!(" ± {}", numbers::figures(error)));
-    Some(numbers::figures(shape.epo?) + &error.unwrap_or_default())
+fn overlap(shape: &Shape) -> Option<Cell> {
+    let epo = shape.epo?;
+    let places = numbers::decimals(epo, 5);
+    let spread = shape.epo_standard_error.map(|error| format!("± {error:.places$}"));
+    Some(Cell { text: numbers::figures(epo), spread })
 }
 
 /// How many triangles end-point overlaps were estimated from.
@@ -99,7 +101,7 @@ fn overlap_note(scene: &SceneRecord) -> String {
     let samples = scene.structures.iter().find_map(|own| own.shape.as_ref()?.epo_samples);
     samples.map_or_else(String::new, |samples| {
         format!(
-            "EPO was estimated from {} that were chosen by area; behind ± stands its standard \
+            " EPO was estimated from {} that were chosen by area; behind ± stands its standard \
              error.",
             numbers::things(samples, "triangle")
         )
