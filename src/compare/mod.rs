@@ -12,6 +12,7 @@
 //! | `record_rays.rs`, `extra_rays.rs` | the same rays for all |
 //! | `rounds.rs`, `replay.rs`, `builds.rs`, `pictures.rs`, `clock.rs` | what is timed |
 //! | `sweep.rs` | growth with the number of triangles |
+//! | `sampling_study/` | what random numbers and shuffling cost, and how much noise they leave |
 //! | `proof.rs`, `hash.rs` | that the answers are equal |
 //! | `entrant.rs`, `guard.rs`, `quality.rs` | a structure and its row; its panics; its form |
 //! | `machine.rs` | what measured |
@@ -68,6 +69,7 @@ mod record_rays;
 mod replay;
 mod rounds;
 mod run;
+mod sampling_study;
 mod scene;
 mod sweep;
 

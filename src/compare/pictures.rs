@@ -118,7 +118,7 @@ pub(super) fn render_once(
 }
 
 /// A rendering that stops when the comparison is stopped.
-fn render_with(
+pub(super) fn render_with(
     scene: &Scene,
     tracer: &dyn Tracer,
     settings: &Settings,

@@ -16,6 +16,7 @@ use super::machine::build_of_program;
 use super::observer::Observer;
 use super::plan::Plan;
 use super::progress::Progress;
+use super::sampling_study::sampling_study;
 use super::scene::compare_scene;
 use super::sweep::sweep;
 
@@ -83,7 +84,8 @@ pub fn run(
     let mut comparison = Comparison::new(describe(plan), base.name);
     let mut pictures = Vec::new();
     let budget = Budget::from_now(plan.budget);
-    let parts = plan.scenes.len() + usize::from(plan.sweep.is_some());
+    let parts =
+        plan.scenes.len() + usize::from(plan.sweep.is_some()) + usize::from(plan.sampling_study);
     for (done, input) in plan.scenes.iter().enumerate() {
         if observer.cancelled() {
             break;
@@ -99,11 +101,21 @@ pub fn run(
         pictures.extend(outcome.pictures);
     }
     if let Some(growth) = plan.sweep.as_ref().filter(|_| !observer.cancelled()) {
-        let progress =
-            Progress { observer, from: plan.scenes.len() as f64 / parts as f64, to: 1.0 };
-        let share = scene_budget(plan, budget, 1);
+        let done = plan.scenes.len();
+        let from = done as f64 / parts as f64;
+        let to = (done + 1) as f64 / parts as f64;
+        let progress = Progress { observer, from, to };
+        let share = scene_budget(plan, budget, parts - done);
         let work = || sweep(growth, structures, plan, &pools, share, &progress);
         comparison.sweeps.push(progress.watch(share, work));
+    }
+    if plan.sampling_study && !observer.cancelled() {
+        let progress = Progress { observer, from: (parts - 1) as f64 / parts as f64, to: 1.0 };
+        let share = scene_budget(plan, budget, 1);
+        let work = || sampling_study(plan, &pools, share, &progress);
+        let study = progress.watch(share, work);
+        comparison.sampling = Some(study.chapter);
+        comparison.notes.extend(study.notes);
     }
     comparison.run.partial = observer.cancelled();
     comparison.run.elapsed_seconds = start.elapsed().as_secs_f64();

@@ -27,7 +27,7 @@ pub use comparison::{Comparison, SCHEMA_VERSION};
 pub use machine::Machine;
 pub use proof::{Proof, StructureProof};
 pub use run::{Options, RoundRule, Run};
-pub use sampling::{FrameShare, NoisePoint, OperationCost, Pairing, SamplingChapter};
+pub use sampling::{ConvergedPicture, FramePart, NoisePoint, OperationCost, SamplingChapter};
 pub use scene::{HeatScale, PictureFile, SceneRecord, Spacing};
 pub use structure::{BuildRecord, Memory, PictureRound, Shape, Status, StructureRecord};
 pub use sweep::{Dropped, Sweep, SweepPoint};

@@ -12,6 +12,7 @@
 //! *Independent*: m × m jittered points, made for each view sample and light on its own.
 
 use crate::math::Random;
+use crate::scene::Light;
 
 use super::Sampling;
 
@@ -22,8 +23,8 @@ const TABLES: u64 = 32;
 const TABLE_STREAM: u64 = 0x7461_626C;
 const ORDER_STREAM: u64 = 0x6F72_6465;
 
-/// The samples of a rendering.
-pub(super) struct LightSamples {
+/// The samples of area lights for a rendering.
+pub struct LightSamples {
     sampling: Sampling,
     seed: u64,
     view_side: usize,
@@ -33,13 +34,17 @@ pub(super) struct LightSamples {
 }
 
 /// The samples of all lights for one pixel.
-pub(super) struct PixelOrder {
-    /// For each light: its table, and the place in a block of each view sample.
+pub struct PixelOrder {
+    /// For each light: its table, and the place in a block of each view sample; no places for a
+    /// point light, which needs none.
     lights: Vec<(usize, Vec<u32>)>,
 }
 
 impl LightSamples {
-    pub(super) fn new(sampling: Sampling, seed: u64, aa: u32, light_samples: u32) -> Self {
+    /// Makes what a method makes once: for aa × aa view samples a pixel, each of which takes
+    /// light_samples × light_samples points of each area light. 0 is taken as 1.
+    #[must_use]
+    pub fn new(sampling: Sampling, seed: u64, aa: u32, light_samples: u32) -> Self {
         let (view_side, light_side) = (aa.max(1) as usize, light_samples.max(1) as usize);
         let tables = match sampling {
             Sampling::Shuffled => (0..TABLES)
@@ -55,14 +60,20 @@ impl LightSamples {
     }
 
     /// Samples a view sample takes of each area light.
-    pub(super) fn per_view_sample(&self) -> usize {
+    #[must_use]
+    pub fn per_view_sample(&self) -> usize {
         self.light_side * self.light_side
     }
 
-    /// The tables and orders of a pixel, for `lights` lights.
-    pub(super) fn pixel(&self, pixel: u64, lights: usize) -> PixelOrder {
+    /// The tables and orders of the pixel with this key.
+    #[must_use]
+    pub fn pixel(&self, pixel: u64, lights: &[Light]) -> PixelOrder {
+        let order = |(number, light): (u64, &Light)| match light {
+            Light::Area { .. } => self.order(pixel, number),
+            Light::Point { .. } => (0, Vec::new()),
+        };
         let lights = match self.sampling {
-            Sampling::Shuffled => (0..lights as u64).map(|l| self.order(pixel, l)).collect(),
+            Sampling::Shuffled => (0..).zip(lights).map(order).collect(),
             Sampling::Independent => Vec::new(),
         };
         PixelOrder { lights }
@@ -79,9 +90,14 @@ impl LightSamples {
         (table, order)
     }
 
-    /// The samples of one light for one path: `key` belongs to the path, `hint` is the number of
-    /// its view sample in the pixel. `buffer` holds them if they are made on the fly.
-    pub(super) fn points<'a>(
+    /// The samples of one light for one path, as points of the unit square: `key` belongs to the
+    /// path, `hint` is the number of its view sample in the pixel. `buffer` holds them if they are
+    /// made on the fly.
+    ///
+    /// # Panics
+    /// If the light is not an area light that `pixel` was made for, or if `hint` is not below the
+    /// number of view samples.
+    pub fn points<'a>(
         &'a self,
         pixel: &PixelOrder,
         light: usize,
@@ -137,11 +153,17 @@ fn fill_jittered(side: usize, random: &mut Random, points: &mut Vec<[f32; 2]>) {
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec3;
+
     use super::*;
+    use crate::math::Color;
+
+    const AREA: Light =
+        Light::Area { corner: Vec3::ZERO, side_u: Vec3::X, side_v: Vec3::Y, color: Color::ONE };
 
     /// All samples that a pixel takes of light 0.
     fn samples_of_pixel(samples: &LightSamples, pixel: u64, views: u32) -> Vec<Vec<[f32; 2]>> {
-        let order = samples.pixel(pixel, 1);
+        let order = samples.pixel(pixel, &[AREA]);
         (0..views)
             .map(|view| {
                 let key = u64::from(view) + 100 * pixel;
@@ -176,6 +198,17 @@ mod tests {
         for view in samples_of_pixel(&samples, 5, 16) {
             assert!(cells(view, 3).iter().all(|&n| n == 1));
         }
+    }
+
+    #[test]
+    fn other_lights_leave_the_samples_of_a_light_alone() {
+        let samples = LightSamples::new(Sampling::Shuffled, 1, 4, 1);
+        let point = Light::Point { position: Vec3::ZERO, color: Color::ONE };
+        let of_light_1 = |first| {
+            let order = samples.pixel(3, &[first, AREA]);
+            samples.points(&order, 1, 7, 0, &mut Vec::new()).to_vec()
+        };
+        assert_eq!(of_light_1(point), of_light_1(AREA));
     }
 
     #[test]

@@ -20,6 +20,7 @@ mod tiles;
 mod views;
 
 pub use color_map::{Scale, heat_picture};
+pub use light_samples::{LightSamples, PixelOrder};
 pub use observer::{Observer, Silent};
 pub use settings::{Crop, Sampling, Settings, View};
 pub use stats::{ClassStats, RayClass, RenderStats};

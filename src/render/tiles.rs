@@ -150,7 +150,7 @@ fn colors_of(
     mut finish: impl FnMut(&RenderStats, Color) -> Color,
 ) -> Vec<Color> {
     let per_pixel = context.settings.samples_per_pixel();
-    let lights = context.scene.lights.len();
+    let lights = &context.scene.lights;
     let pixels: Vec<(u32, u32)> =
         (area.y0..area.y1).flat_map(|y| (area.x0..area.x1).map(move |x| (x, y))).collect();
     let pixels_at_once = (at_once / per_pixel as usize).max(1);

@@ -3,6 +3,10 @@
 //! By RFC 4180, with a heading line. A structure that traced nothing has one line with an empty
 //! class, so that it is not missing.
 
+mod sampling;
+
+pub use sampling::write_sampling;
+
 use super::numbers::exact;
 use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures};
 use crate::record::statistics::Estimate;

@@ -3,13 +3,15 @@
 use std::fmt::Write;
 
 use super::numbers::{self, NOTHING};
+use super::sampling_verdict::sampling_verdict;
 use super::verdict::verdict_of;
 use crate::record::baseline::Changes;
 use crate::record::derived::{Derived, SceneFigures, StructureFigures};
 use crate::record::statistics::Estimate;
 use crate::record::{Comparison, RayClass, SceneRecord, Status};
 
-/// Million rays a second by class, build, memory and time to the picture of each structure.
+/// Million rays a second by class, build, memory and time to the picture of each structure;
+/// then the verdicts.
 #[must_use]
 pub fn write(comparison: &Comparison) -> String {
     let derived = Derived::of(comparison);
@@ -20,7 +22,13 @@ pub fn write(comparison: &Comparison) -> String {
         text += &aligned(&scene_rows(scene, figures));
         text.push('\n');
     }
-    text + &verdict_of(comparison, &derived) + "\n"
+    text += &verdict_of(comparison, &derived);
+    text.push('\n');
+    if let Some(verdict) = sampling_verdict(comparison, &derived) {
+        text += &verdict;
+        text.push('\n');
+    }
+    text
 }
 
 /// What changed against a baseline: each change with its interval, then the doubts.

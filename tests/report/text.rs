@@ -79,3 +79,13 @@ fn text_of_the_record_breaks_no_table() {
     assert!(text.contains("failed: the build ran out of \\| memory &lt;here&gt;"));
     assert!(text.contains("**Partial:"));
 }
+
+#[test]
+fn the_chapter_on_sampling_has_a_verdict() {
+    let text = terminal::write(&sample::full());
+    let line = text.lines().last().unwrap();
+    assert!(line.starts_with("Sampling: shuffled leaves 0.57"), "{line}");
+    assert!(line.contains("× the noise of independent with 16 view samples and 0.5"), "{line}");
+    assert!(line.contains("(the median of 2 scenes), and takes 0.2"), "{line}");
+    assert!(!terminal::write(&sample::partial()).contains("Sampling"));
+}
