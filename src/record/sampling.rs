@@ -75,7 +75,7 @@ pub struct NoisePoint {
     pub pixel_samples: u32,
     /// Light samples for each view sample and light.
     pub light_samples: u32,
-    /// Wall time of each frame in nanoseconds.
+    /// Processor time of each frame in nanoseconds; wall time where the system does not tell.
     pub rounds_ns: Vec<u64>,
     /// For each frame, the root of the mean squared difference to the converged picture, over all
     /// channels, in linear units.

@@ -11,7 +11,7 @@ use crate::scene::{Light, Scene};
 
 use crate::compare::Stage;
 use crate::compare::budget::Budget;
-use crate::compare::clock::nanoseconds;
+use crate::compare::clock::timed;
 use crate::compare::pictures::render_with;
 use crate::compare::plan::fit;
 use crate::compare::rounds::{Repeat, interleaved};
@@ -82,10 +82,12 @@ pub(super) fn measure(
         let settings = &mut lanes[lane].settings;
         // The same random numbers for all that run beside each other, others in each round.
         settings.seed = settings.seed.wrapping_add(1);
-        let rendering = render(stage, tracer, settings)?;
+        let (rendering, round) = timed(|| render(stage, tracer, settings));
+        let rendering = rendering?;
         lanes[lane].surfaces = surfaces(&rendering);
         let Sight::Picture(picture) = &rendering.sight else { return None };
-        let time = nanoseconds(rendering.stats.time);
+        // A frame of milliseconds that another program interrupts would seem many times as long.
+        let time = round.cpu_ns.unwrap_or(round.wall_ns);
         Some(((time, rmse(picture, converged)), time))
     });
     for (lane, rounds) in lanes.iter_mut().zip(rounds) {

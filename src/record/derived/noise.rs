@@ -34,7 +34,7 @@ pub struct NoiseFigures {
     pub pixel_samples: f64,
     /// Light samples for each view sample and light.
     pub light_samples: u32,
-    /// Wall time of a frame on one thread, in nanoseconds.
+    /// Processor time of a frame on one thread, in nanoseconds.
     pub ns: Estimate,
     /// Root of the mean squared difference to the converged picture; without an interval where it
     /// is interpolated.

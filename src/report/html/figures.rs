@@ -217,7 +217,7 @@ pub(super) fn noise(derived: &Derived, scene: &str) -> Option<Markup> {
                   the time of a frame on one thread, for each method of sampling; less is better \
                   in both."
             .to_owned(),
-        x: Ends { label: "time of a frame, one thread (logarithmic)", units: TIME },
+        x: Ends { label: "processor time of a frame (logarithmic)", units: TIME },
         y: Ends { label: "RMSE to a converged picture (logarithmic)", units: &[] },
         series: series.collect(),
         path: Vec::new(),

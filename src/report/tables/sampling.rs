@@ -17,7 +17,8 @@ pub(in crate::report) fn sampling_tables(
         noise(
             "Noise that is left by equal samples",
             "Root of the mean squared difference to a converged picture, in linear units; medians \
-             of frames with different random numbers. In each round both methods trace the same \
+             of frames with different random numbers. The time is that of the processor, on one \
+             thread. In each round both methods trace the same \
              view rays, and the ratio is the median of the rounds' ratios.",
             Pairing::EqualSamples,
             &derived.noise,
@@ -51,8 +52,8 @@ fn costs(operations: &[OperationFigures]) -> Table {
 
 fn shares(parts: &[FramePart], shares: &[ShareFigures]) -> Table {
     let heads = ["Scene", "Sampling", "#View samples", "Part", "#Times in a frame", "#Share"];
-    let note = "How often a frame does it, times what it costs in a batch, over the median time of \
-                the frame on one thread. Between a renderer's other work it may cost more.";
+    let note = "How often a frame does it, times what it costs in a batch, over the median \
+                processor time of the frame on one thread. Between a renderer's other work it may cost more.";
     let mut table = Table::new("Share of a frame", note, &heads);
     let row = |(part, figures): (&FramePart, &ShareFigures)| {
         vec![
