@@ -24,7 +24,7 @@ pub struct OperationCost {
     pub operation: String,
     /// How many times each round did it.
     pub count: u64,
-    /// Wall time of each round in nanoseconds.
+    /// Processor time of each round in nanoseconds; wall time where the system does not tell.
     pub rounds_ns: Vec<u64>,
 }
 
