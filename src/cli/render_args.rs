@@ -120,8 +120,8 @@ pub(crate) struct RenderArguments {
     /// The JSON is one object of `version` 1: scene, width, height, view, scale (low and high, of
     /// depths and heatmaps), partial, threads, structure (name, build, build_seconds, objects and
     /// meshes with bytes, nodes, leaves, depth and leaf_sizes, triangles, triangle_bytes,
-    /// bytes_per_triangle), render_seconds, rays, rays_per_second and classes (class, rays, hits,
-    /// boxes, primitives, boxes_per_ray, primitives_per_ray). Means of nothing are null.
+    /// bytes_per_triangle), render_seconds, thread_seconds (total, tracing, making_rays, shading, rest; added up
+    /// over the threads), rays, rays_per_second and classes (class, rays, hits, trace_seconds, boxes, primitives, boxes_per_ray, primitives_per_ray). Means of nothing are null.
     #[arg(long, value_enum, value_name = "FORM", num_args = 0..=1, require_equals = true,
         default_missing_value = "table", help_heading = "Output")]
     pub(crate) stats: Option<StatsForm>,

@@ -12,7 +12,7 @@ mod transform;
 
 pub use aabb::Aabb;
 pub use box_ray::{BoxRay, Padding};
-pub use hash::{Random, hash_u64};
+pub use hash::{Random, hash_u64, unit_pair};
 pub use hit::{Hit, NONE};
 pub use ray::Ray;
 pub(crate) use transform::outward_box;
