@@ -2,6 +2,8 @@
 
 /// Receives what a structure and its primitives do for one or more rays.
 pub trait Counters {
+    /// Whether anything is counted: what must be computed in order to be counted asks this first.
+    const COUNTS: bool;
     /// `n` bounding volumes were tested.
     fn boxes(&mut self, n: u32);
     /// `n` primitives were tested.
@@ -13,6 +15,7 @@ pub trait Counters {
 pub struct NoCounters;
 
 impl Counters for NoCounters {
+    const COUNTS: bool = false;
     #[inline(always)]
     fn boxes(&mut self, _: u32) {}
     #[inline(always)]
@@ -29,6 +32,7 @@ pub struct Counts {
 }
 
 impl Counters for Counts {
+    const COUNTS: bool = true;
     #[inline(always)]
     fn boxes(&mut self, n: u32) {
         self.boxes += u64::from(n);

@@ -12,6 +12,8 @@ pub mod cli;
 pub mod compare;
 pub mod counters;
 pub mod description;
+#[cfg(feature = "embree")]
+pub mod embree;
 pub mod image_io;
 pub mod math;
 pub mod record;

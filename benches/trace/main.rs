@@ -1,23 +1,29 @@
-//! Parsing, building, and rays of each class, for every structure on generated meshes.
+//! What parsing, building, tracing and single formulas cost, as criterion measures it.
 //!
-//! `cargo bench --bench trace` measures and writes `results/benchmarks.md`; a filter behind `--`
-//! measures a part and leaves the table alone. Every group first checks its answers against
-//! `none`: a wrong structure is not measured.
+//! `cargo bench --bench trace` measures the groups `parse`, `build`, `traverse` and `shapes` and
+//! writes `results/benchmarks.md`; a filter behind `--`, such as the name of a group, measures a
+//! part and leaves the table alone. What is measured first shows that it answers as `none` does.
 
-mod measure;
+mod build;
+mod knot;
+mod parse;
 mod rays;
+mod shapes;
 mod table;
+mod traverse;
 
 use criterion::Criterion;
+use knot::Knot;
 
 fn main() {
     let whole = std::env::args().skip(1).all(|argument| argument.starts_with("--"));
     let mut criterion = Criterion::default().configure_from_args();
     let mut rows = Vec::new();
-    measure::parsing(&mut criterion, &mut rows);
-    for triangles in [1_000, 70_000, 1_000_000] {
-        measure::mesh(&mut criterion, triangles, &mut rows);
-    }
+    let knots = [1_000, 70_000, 1_000_000].map(Knot::new);
+    parse::group(&mut criterion, &mut rows);
+    build::group(&mut criterion, &knots, &mut rows);
+    traverse::group(&mut criterion, &knots, &mut rows);
+    shapes::group(&mut criterion, &mut rows);
     criterion.final_summary();
     if whole {
         table::write(&rows);

@@ -29,7 +29,11 @@ impl Row {
     /// Median and the ends of its 95 % interval, in nanoseconds an iteration.
     fn median(&self) -> Option<[f64; 3]> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/criterion");
-        let file = folder.join(&self.group).join(&self.name).join("new/estimates.json");
+        let mut file = folder.join(&self.group).join(&self.name);
+        if let Some(triangles) = self.triangles {
+            file.push(triangles.to_string());
+        }
+        let file = file.join("new/estimates.json");
         let estimates: Value = serde_json::from_str(&fs::read_to_string(file).ok()?).ok()?;
         let median = &estimates["median"];
         let interval = &median["confidence_interval"];
@@ -46,10 +50,10 @@ pub(crate) fn write(rows: &[Row]) {
     let mut text = String::from(
         "# Benchmarks\n\n\
          Written by `cargo bench --bench trace`: medians of criterion's samples on one thread for \
-         rays and on all for builds, with the 95 % interval of the median. The mesh is a generated \
-         torus knot. `none` and `ball` trace fewer rays where there are many triangles. Figures of \
+         rays and on all for builds, with the 95 % interval of the median. The mesh of builds and \
+         traversals is a generated torus knot. `none` and `ball` trace fewer rays where there are many triangles. Figures of \
          one run on one machine: compare rows with each other, not with other machines.\n\n\
-         | benchmark | structure | triangles | median | 95 % interval | rate |\n\
+         | group | benchmark | triangles | median | 95 % interval | rate |\n\
          |---|---|--:|--:|--:|--:|\n",
     );
     for row in rows {

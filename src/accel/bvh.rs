@@ -17,7 +17,7 @@ use smallvec::SmallVec;
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
-use super::{Accel, Bounded, BuildConfig, Built, StructureShape, obvhs_boxes};
+use super::{Accel, Bounded, BuildConfig, Built, StructureShape, Tree, obvhs_boxes};
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
 const USUAL_DEPTH: usize = 32;
@@ -130,6 +130,18 @@ impl Accel for Bvh {
         shape.sah_cost = cost.is_finite().then_some(cost);
         shape.bytes = (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()) as u64;
         shape
+    }
+
+    fn tree(&self) -> Option<Tree> {
+        let bounds = self.nodes.first().map_or(Aabb::EMPTY, Node::bounds);
+        Some(Tree::of((self.root?, bounds), |&(child, bounds), children| {
+            if child.count == 0 {
+                let node = &self.nodes[child.first as usize];
+                children.extend([0, 1].map(|side| (node.children[side], node.child_bounds(side))));
+                return (bounds, 0..0);
+            }
+            (bounds, child.first..child.first + child.count)
+        }))
     }
 }
 

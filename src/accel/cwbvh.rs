@@ -17,7 +17,7 @@ use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Ray};
 use crate::simd::ones;
 
-use super::{Accel, Bounded, BuildConfig, Built, StructureShape, obvhs_boxes};
+use super::{Accel, Bounded, BuildConfig, Built, StructureShape, Tree, obvhs_boxes};
 
 const WIDTH: usize = 8;
 
@@ -114,11 +114,42 @@ impl Accel for CompressedWideBvh {
         shape.bytes = (size_of::<Self>() + self.nodes.capacity() * size_of::<CwBvhNode>()) as u64;
         shape
     }
+
+    fn tree(&self) -> Option<Tree> {
+        let root = Child::Node(0, own_box(&self.nodes.first()?.aabb()));
+        Some(Tree::of(root, |at, children| match at {
+            Child::Leaf(slots, bounds) => (*bounds, slots.clone()),
+            Child::Node(index, bounds) => {
+                let node: &CwBvhNode = &self.nodes[*index as usize];
+                for child in (0..WIDTH).filter(|&child| !node.is_child_empty(child)) {
+                    let bounds = own_box(&node.child_aabb(child));
+                    let (first, count) = node.child_primitives(child);
+                    children.push(if node.is_leaf(child) {
+                        Child::Leaf(first..first + count, bounds)
+                    } else {
+                        Child::Node(node.child_node_index(child), bounds)
+                    });
+                }
+                (*bounds, 0..0)
+            }
+        }))
+    }
+}
+
+/// A child and its box as the node above it stores it.
+enum Child {
+    Leaf(Range<u32>, Aabb),
+    Node(u32, Aabb),
+}
+
+/// One of obvhs's boxes as one of this project's.
+fn own_box(bounds: &obvhs::aabb::Aabb) -> Aabb {
+    Aabb { min: bounds.min, max: bounds.max }
 }
 
 /// [`Aabb::half_area`] of one of obvhs's boxes.
 fn half_area(bounds: &obvhs::aabb::Aabb) -> f64 {
-    Aabb { min: bounds.min, max: bounds.max }.half_area()
+    own_box(bounds).half_area()
 }
 
 /// What a node's children are to a ray.

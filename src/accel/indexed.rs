@@ -1,12 +1,11 @@
 //! Primitives together with the structure that finds them.
 
-use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use crate::counters::{Counters, Counts, NoCounters};
-use crate::math::{BoxRay, Hit, Ray};
+use crate::math::{Hit, Ray};
 
-use super::{Accel, BuildConfig, Primitives, StructureShape, Tracer};
+use super::{Accel, BuildConfig, Primitives, StructureShape, Tracer, Tree, blocked, closest};
 
 /// Primitives, in the order of their structure.
 #[derive(Clone, Debug)]
@@ -46,58 +45,56 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         self.accel.shape()
     }
 
+    /// All nodes of the structure, where it is a tree.
+    #[must_use]
+    pub fn tree(&self) -> Option<Tree> {
+        self.accel.tree()
+    }
+
     /// The first hit in the order `(t, object, prim)` with `ray.t_min ≤ t ≤ ray.t_max`, or
     /// [`Hit::MISS`].
     #[inline]
     pub fn closest<C: Counters>(&self, ray: &Ray, counters: &mut C) -> Hit {
-        let box_ray = BoxRay::new(ray, self.primitives.padding());
-        let mut best = Hit::none_before(ray.t_max);
-        self.accel.traverse(ray, &box_ray, counters, |slots, counters| {
-            self.primitives.intersect(slots, ray, &box_ray, &mut best, counters);
-            ControlFlow::Continue(best.t)
-        });
-        if best.is_hit() { best } else { Hit::MISS }
+        closest(&self.accel, &self.primitives, ray, counters)
     }
 
     /// Whether there is any hit with `ray.t_min ≤ t ≤ ray.t_max`.
     #[inline]
     pub fn blocked<C: Counters>(&self, ray: &Ray, counters: &mut C) -> bool {
-        let box_ray = BoxRay::new(ray, self.primitives.padding());
-        let mut blocked = false;
-        self.accel.traverse(ray, &box_ray, counters, |slots, counters| {
-            blocked = self.primitives.occluded(slots, ray, &box_ray, counters);
-            if blocked { ControlFlow::Break(()) } else { ControlFlow::Continue(ray.t_max) }
-        });
-        blocked
+        blocked(&self.accel, &self.primitives, ray, counters)
     }
 
-    fn intersect_each<C: Counters>(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut C) {
-        for (ray, hit) in rays.iter().zip(hits) {
-            *hit = self.closest(ray, counters);
-        }
+    /// [`Indexed::closest`] of many rays.
+    ///
+    /// # Panics
+    /// If the slices differ in length.
+    pub fn intersect_many<C: Counters>(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut C) {
+        assert_eq!(rays.len(), hits.len(), "a hit for each ray");
+        self.accel.intersect_many(&self.primitives, rays, hits, counters);
     }
 
-    fn occluded_each<C: Counters>(&self, rays: &[Ray], blocked: &mut [bool], counters: &mut C) {
-        for (ray, blocked) in rays.iter().zip(blocked) {
-            *blocked = self.blocked(ray, counters);
-        }
+    /// [`Indexed::blocked`] of many rays.
+    ///
+    /// # Panics
+    /// If the slices differ in length.
+    pub fn occluded_many<C: Counters>(&self, rays: &[Ray], answers: &mut [bool], counters: &mut C) {
+        assert_eq!(rays.len(), answers.len(), "an answer for each ray");
+        self.accel.occluded_many(&self.primitives, rays, answers, counters);
     }
 }
 
 impl<P: Primitives, A: Accel> Tracer for Indexed<P, A> {
     fn intersect(&self, rays: &[Ray], hits: &mut [Hit], counts: Option<&mut Counts>) {
-        assert_eq!(rays.len(), hits.len(), "a hit for each ray");
         match counts {
-            Some(counts) => self.intersect_each(rays, hits, counts),
-            None => self.intersect_each(rays, hits, &mut NoCounters),
+            Some(counts) => self.intersect_many(rays, hits, counts),
+            None => self.intersect_many(rays, hits, &mut NoCounters),
         }
     }
 
     fn occluded(&self, rays: &[Ray], blocked: &mut [bool], counts: Option<&mut Counts>) {
-        assert_eq!(rays.len(), blocked.len(), "an answer for each ray");
         match counts {
-            Some(counts) => self.occluded_each(rays, blocked, counts),
-            None => self.occluded_each(rays, blocked, &mut NoCounters),
+            Some(counts) => self.occluded_many(rays, blocked, counts),
+            None => self.occluded_many(rays, blocked, &mut NoCounters),
         }
     }
 }

@@ -10,14 +10,18 @@
 //! | `ball.rs` | one bounding ball around all |
 //! | `bvh.rs` | obvhs's binary tree |
 //! | `cwbvh.rs` | obvhs's compressed eight-wide tree |
+//! | `bvh8/` | obvhs's tree collapsed to eight children, many rays at once |
 
 mod ball;
 mod bvh;
+mod bvh8;
 mod config;
 mod cwbvh;
 mod indexed;
 mod none;
+mod packs;
 mod shape;
+mod tree;
 
 use std::ops::{ControlFlow, Range};
 
@@ -29,11 +33,14 @@ use crate::math::{Aabb, BoxRay, Hit, Padding, Ray};
 
 pub use ball::BoundingBall;
 pub use bvh::Bvh;
+pub use bvh8::Bvh8;
 pub use config::{BuildConfig, Quality};
 pub use cwbvh::CompressedWideBvh;
 pub use indexed::Indexed;
 pub use none::Exhaustive;
+pub use packs::{NoPacks, PACK, Packs, ScaledHit};
 pub use shape::{LeafHistogram, StructureShape};
+pub use tree::{Tree, TreeNode};
 
 /// A set of things with boxes: all that a structure is built from.
 pub trait Bounded: Sync {
@@ -84,8 +91,74 @@ pub trait Accel: Sized + Send + Sync {
         leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
     );
 
+    /// The closest hits of many rays. A structure that has nothing better walks them one by one.
+    fn intersect_many<P: Primitives, C: Counters>(
+        &self,
+        primitives: &P,
+        rays: &[Ray],
+        hits: &mut [Hit],
+        counters: &mut C,
+    ) {
+        for (ray, hit) in rays.iter().zip(hits) {
+            *hit = closest(self, primitives, ray, counters);
+        }
+    }
+
+    /// Whether each of many rays hits anything.
+    fn occluded_many<P: Primitives, C: Counters>(
+        &self,
+        primitives: &P,
+        rays: &[Ray],
+        answers: &mut [bool],
+        counters: &mut C,
+    ) {
+        for (ray, answer) in rays.iter().zip(answers) {
+            *answer = blocked(self, primitives, ray, counters);
+        }
+    }
+
     /// Nodes, leaves, depth and bytes.
     fn shape(&self) -> StructureShape;
+
+    /// All nodes with their boxes, for measures of quality ([`Tree::of`] walks a structure); `None`
+    /// where there is no tree.
+    fn tree(&self) -> Option<Tree> {
+        None
+    }
+}
+
+/// The first hit of a ray in the order `(t, object, prim)`, or [`Hit::MISS`].
+#[inline]
+fn closest<A: Accel, P: Primitives, C: Counters>(
+    accel: &A,
+    primitives: &P,
+    ray: &Ray,
+    counters: &mut C,
+) -> Hit {
+    let box_ray = BoxRay::new(ray, primitives.padding());
+    let mut best = Hit::none_before(ray.t_max);
+    accel.traverse(ray, &box_ray, counters, |slots, counters| {
+        primitives.intersect(slots, ray, &box_ray, &mut best, counters);
+        ControlFlow::Continue(best.t)
+    });
+    if best.is_hit() { best } else { Hit::MISS }
+}
+
+/// Whether a ray has any hit.
+#[inline]
+fn blocked<A: Accel, P: Primitives, C: Counters>(
+    accel: &A,
+    primitives: &P,
+    ray: &Ray,
+    counters: &mut C,
+) -> bool {
+    let box_ray = BoxRay::new(ray, primitives.padding());
+    let mut blocked = false;
+    accel.traverse(ray, &box_ray, counters, |slots, counters| {
+        blocked = primitives.occluded(slots, ray, &box_ray, counters);
+        if blocked { ControlFlow::Break(()) } else { ControlFlow::Continue(ray.t_max) }
+    });
+    blocked
 }
 
 /// What a build returns.
@@ -100,6 +173,12 @@ pub struct Built<A> {
 
 /// Primitives in slot order, with the formula that all structures share.
 pub trait Primitives: Bounded + Send + Sync {
+    /// How kernels see them; [`NoPacks`] if they are tested one by one.
+    type Packs: Packs;
+
+    /// Themselves in packs of eight, if they are that.
+    fn packs(&self) -> Option<&Self::Packs>;
+
     /// The padding that every box test of these primitives uses.
     fn padding(&self) -> Padding;
 
@@ -126,6 +205,30 @@ pub trait Primitives: Bounded + Send + Sync {
         box_ray: &BoxRay,
         counters: &mut C,
     ) -> bool;
+
+    /// Whether these are so few, and take slices of rays so well, that a structure which knows of
+    /// slices should leave them to [`Primitives::intersect_all`] and [`Primitives::occluded_all`].
+    fn are_few(&self) -> bool {
+        false
+    }
+
+    /// The closest hit of each ray among all, as if each were tested with every one.
+    fn intersect_all<C: Counters>(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut C) {
+        for (ray, hit) in rays.iter().zip(hits) {
+            let box_ray = BoxRay::new(ray, self.padding());
+            let mut best = Hit::none_before(ray.t_max);
+            self.intersect(0..self.count(), ray, &box_ray, &mut best, counters);
+            *hit = if best.is_hit() { best } else { Hit::MISS };
+        }
+    }
+
+    /// Whether each ray hits any, as if it were tested with every one.
+    fn occluded_all<C: Counters>(&self, rays: &[Ray], answers: &mut [bool], counters: &mut C) {
+        for (ray, answer) in rays.iter().zip(answers) {
+            let box_ray = BoxRay::new(ray, self.padding());
+            *answer = self.occluded(0..self.count(), ray, &box_ray, counters);
+        }
+    }
 }
 
 /// Many rays at once: what the renderer, the benches and the tests call.

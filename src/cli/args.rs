@@ -23,7 +23,10 @@ Examples:
   srt check scenes/*.sce                           validate without rendering
   srt diff old.png new.png -o difference.png       compare two pictures
 
-A scene whose file has the name of a subcommand is named with its folder: `srt ./check out.tga`.";
+A scene whose file has the name of a subcommand is named with its folder: `srt ./check out.tga`.
+
+Environment:
+  SRT_ISA=portable|avx2|avx512   the instruction set of the kernels, in place of the widest";
 
 /// Renders a scene to a picture.
 #[derive(Debug, Parser)]
@@ -32,8 +35,8 @@ A scene whose file has the name of a subcommand is named with its folder: `srt .
     version,
     about = "Ray tracer: renders a scene with the acceleration structure of your choice",
     long_about = "Ray tracer: renders a scene (sce1.0) to a picture, with the acceleration \
-        structure of your choice. The picture is the same, bit for bit, whatever the structure and \
-        the number of threads; the speed is not, and that is what srt shows.",
+        structure of your choice. The picture is the same, bit for bit, whatever the structure, \
+        the number of threads or the instruction set; the speed is not, and that is what srt shows.",
     after_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"),
     args_conflicts_with_subcommands = true,
     subcommand_negates_reqs = true,

@@ -19,12 +19,13 @@ use crate::image_io::{Format, encode};
 use crate::record::Comparison;
 use crate::record::baseline::Changes;
 use crate::report::terminal;
-use crate::scene::{STRUCTURES, Structure};
+use crate::scene::{STRUCTURES, Structure, structure_named};
 
 /// Seconds for each scene, and for all, if nobody says how many.
 const SECONDS_A_SCENE: u64 = 30;
 const MOST_SECONDS: u64 = 150;
 const SECONDS_A_SWEEP: u64 = 60;
+const SECONDS_A_STUDY: u64 = 60;
 
 /// Compares, writes the report and prints its table.
 pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcome {
@@ -130,7 +131,9 @@ fn default_folder(scenes: &[PathBuf]) -> PathBuf {
 
 fn plan(arguments: &CompareArguments, scenes: Vec<SceneInput>) -> Plan {
     let for_sweep = if arguments.sweep.is_some() { SECONDS_A_SWEEP } else { 0 };
-    let seconds = (SECONDS_A_SCENE * scenes.len() as u64).min(MOST_SECONDS) + for_sweep;
+    let for_study = if arguments.sampling_study { SECONDS_A_STUDY } else { 0 };
+    let for_scenes = (SECONDS_A_SCENE * scenes.len() as u64).min(MOST_SECONDS);
+    let seconds = for_scenes + for_sweep + for_study;
     let mut plan = Plan::of_scenes(scenes);
     plan.command = command();
     plan.budget = Some(arguments.budget.unwrap_or(Duration::from_secs(seconds)));
@@ -147,15 +150,16 @@ fn plan(arguments: &CompareArguments, scenes: Vec<SceneInput>) -> Plan {
         mesh,
         sizes: SweepPlan::sizes_between(first, last),
     });
+    plan.sampling_study = arguments.sampling_study;
     if !arguments.classes.is_empty() {
         plan.classes.clone_from(&arguments.classes);
     }
     plan
 }
 
-/// The structures that were named, or all.
+/// The structures that were named, yardsticks among them, or all structures.
 fn structures(arguments: &CompareArguments) -> Vec<Structure> {
-    let named = |name: &String| STRUCTURES.iter().find(|structure| structure.name == *name);
+    let named = |name: &String| structure_named(name);
     match arguments.accel.is_empty() {
         true => STRUCTURES.to_vec(),
         false => arguments.accel.iter().filter_map(named).copied().collect(),

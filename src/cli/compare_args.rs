@@ -12,18 +12,20 @@ use crate::accel::Quality;
 use crate::assets::generate::Kind;
 use crate::description::Options;
 use crate::record::RayClass;
-use crate::scene::STRUCTURES;
+use crate::scene::{STRUCTURES, YARDSTICKS};
 
 /// `srt compare`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The folder gets report.html, report.md, report.csv, report.json and the pictures.\n\n\
+The folder gets report.html, report.md, report.csv, report.json and the pictures; with\n\
+--sampling-study, sampling.csv too.\n\n\
 Exit codes: 0 all answers are equal and nothing became slower; 1 a structure failed or its answers\n\
 differ, or --baseline shows a regression; 2 trouble; 130 interrupted: what was done is written.\n\n\
 Examples:\n  \
 srt compare scenes/hall.sce\n  \
 srt compare scenes/*.sce --accel bvh,cwbvh --budget 60 --out results/trees\n  \
 srt compare --sweep 1k..10M --mesh hall --budget 300\n  \
+srt compare scenes/soft-shadows.sce --sampling-study\n  \
 srt compare scenes/hall.sce --baseline results/old/report.json --fail-above 10%")]
 pub(crate) struct CompareArguments {
     /// The scene files (sce1.0)
@@ -50,7 +52,8 @@ pub(crate) struct CompareArguments {
         value_parser = value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
 
-    /// How long all of it may take [default: 30 for each scene, at most 150; 60 more for --sweep]
+    /// How long all of it may take [default: 30 for each scene, at most 150; 60 more for --sweep,
+    /// and 60 for --sampling-study]
     ///
     /// A scene may go on a little longer, until the first round of each measurement is whole.
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = seconds)]
@@ -82,6 +85,11 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "KIND", requires = "sweep",
         value_parser = described(&Kind::ALL, Kind::name, Kind::description))]
     pub(crate) mesh: Option<Kind>,
+
+    /// Study sampling too: what random numbers and shuffling cost, and how much noise each way of
+    /// sampling area lights leaves for equal samples and for equal time
+    #[arg(long, requires = "scenes")]
+    pub(crate) sampling_study: bool,
 
     /// The folder to write [default: results/<date>-<scene>]
     #[arg(long, value_name = "DIR")]
@@ -125,5 +133,6 @@ pub(crate) struct ReportArguments {
 
 /// The names of the structures, with what they are.
 fn structure_names() -> PossibleValuesParser {
-    STRUCTURES.iter().map(|s| PossibleValue::new(s.name).help(s.summary)).into()
+    let all = STRUCTURES.iter().chain(YARDSTICKS);
+    all.map(|s| PossibleValue::new(s.name).help(s.summary)).collect::<Vec<_>>().into()
 }

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::figures::{RayClass, Report};
 use crate::accel::StructureShape;
+use crate::render::{self, Spacing, Stage, StageTimes};
 
 /// The version of [`Document`]: raised when a field changes its meaning or goes away.
 const VERSION: u32 = 1;
@@ -32,6 +33,7 @@ struct Document<'a> {
     threads: usize,
     structure: Structure<'a>,
     render_seconds: f64,
+    thread_seconds: ThreadSeconds,
     rays: u64,
     rays_per_second: Option<f64>,
     classes: Vec<Class>,
@@ -41,6 +43,7 @@ struct Document<'a> {
 struct Scale {
     low: f32,
     high: f32,
+    spacing: &'static str,
 }
 
 #[derive(Serialize)]
@@ -69,15 +72,37 @@ struct Shape {
     leaf_sizes: BTreeMap<usize, u64>,
 }
 
+/// What the threads spent their time on, added up over all of them.
+#[derive(Serialize)]
+struct ThreadSeconds {
+    total: f64,
+    /// Of all classes; of each, see [`Class`].
+    tracing: f64,
+    making_rays: f64,
+    shading: f64,
+    rest: f64,
+}
+
 #[derive(Serialize)]
 struct Class {
     class: &'static str,
     rays: u64,
     hits: u64,
+    trace_seconds: f64,
     boxes: Option<u64>,
     primitives: Option<u64>,
     boxes_per_ray: Option<f64>,
     primitives_per_ray: Option<f64>,
+}
+
+impl From<render::Scale> for Scale {
+    fn from(scale: render::Scale) -> Self {
+        let spacing = match scale.spacing {
+            Spacing::Linear => "linear",
+            Spacing::Logarithmic => "logarithmic",
+        };
+        Self { low: scale.low, high: scale.high, spacing }
+    }
 }
 
 impl<'a> From<&'a Report> for Document<'a> {
@@ -90,11 +115,12 @@ impl<'a> From<&'a Report> for Document<'a> {
             width: report.width,
             height: report.height,
             view: report.view.name(),
-            scale: report.scale.map(|scale| Scale { low: scale.low, high: scale.high }),
+            scale: report.scale.map(Scale::from),
             partial: report.partial,
             threads: report.threads,
             structure: Structure::from(report),
             render_seconds,
+            thread_seconds: ThreadSeconds::from(&report.thread_times),
             rays,
             rays_per_second: quotient(rays as f64, render_seconds),
             classes: report.rays.iter().map(Class::from).collect(),
@@ -113,6 +139,19 @@ impl<'a> From<&'a Report> for Structure<'a> {
             triangles: report.build.triangles,
             triangle_bytes: report.build.triangle_bytes,
             bytes_per_triangle: report.bytes_per_triangle(),
+        }
+    }
+}
+
+impl From<&StageTimes> for ThreadSeconds {
+    fn from(times: &StageTimes) -> Self {
+        let seconds = |stage| times.of(stage).as_secs_f64();
+        Self {
+            total: times.total().as_secs_f64(),
+            tracing: times.tracing().as_secs_f64(),
+            making_rays: seconds(Stage::MakingRays),
+            shading: seconds(Stage::Shading),
+            rest: seconds(Stage::Rest),
         }
     }
 }
@@ -139,6 +178,7 @@ impl From<&RayClass> for Class {
             class: class.name,
             rays: class.rays,
             hits: class.hits,
+            trace_seconds: class.trace_time.as_secs_f64(),
             boxes,
             primitives,
             boxes_per_ray: per_ray(boxes),
@@ -167,6 +207,10 @@ mod tests {
         assert_eq!(value["version"], 1);
         assert_eq!(value["rays"], 9_920_000);
         assert_eq!(value["rays_per_second"], 7_936_000.0);
+        assert_eq!(value["thread_seconds"]["total"], 2.45);
+        assert_eq!(value["thread_seconds"]["tracing"], 1.5);
+        assert_eq!(value["thread_seconds"]["making_rays"], 0.4);
+        assert_eq!(value["classes"][1]["trace_seconds"], 1.25);
         assert_eq!(value["structure"]["meshes"]["depth"], 23);
         assert_eq!(value["structure"]["meshes"]["leaf_sizes"], json!({"1": 69_990, "5": 10}));
         assert_eq!(value["structure"]["bytes_per_triangle"], 112.0);
@@ -179,7 +223,7 @@ mod tests {
         let mut report = example();
         report.render_time = Duration::ZERO;
         report.build.triangles = 0;
-        report.rays = vec![RayClass { name: "view", rays: 0, hits: 0, counts: None }];
+        report.rays = vec![RayClass::default()];
         let value: Value = from_str(&report.to_json().unwrap()).unwrap();
         assert!(value["rays_per_second"].is_null());
         assert!(value["structure"]["bytes_per_triangle"].is_null());

@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::options::RenderOptions;
 use crate::accel::Quality;
 use crate::counters::Counts;
-use crate::render::{self, RenderStats, Rendering, Scale, Settings, View};
+use crate::render::{self, RenderStats, Rendering, Scale, Settings, Stage, StageTimes, View};
 use crate::scene::BuildReport;
 
 /// What one rendering took.
@@ -33,12 +33,14 @@ pub(crate) struct Report {
     pub(crate) partial: bool,
     /// How long the rendering took, without reading, building and writing.
     pub(crate) render_time: Duration,
+    /// What the threads spent their time on.
+    pub(crate) thread_times: StageTimes,
     /// The classes of rays that occurred, in the order of a wave.
     pub(crate) rays: Vec<RayClass>,
 }
 
 /// The rays of one class.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct RayClass {
     /// `view`, `shadow`, `mirror`, `refraction`.
     pub(crate) name: &'static str,
@@ -46,6 +48,8 @@ pub(crate) struct RayClass {
     pub(crate) rays: u64,
     /// How many of them hit something.
     pub(crate) hits: u64,
+    /// How long threads were tracing them, added up.
+    pub(crate) trace_time: Duration,
     /// What they tested, where that was counted.
     pub(crate) counts: Option<Counts>,
 }
@@ -72,6 +76,7 @@ impl Report {
             threads: options.threads,
             partial: !rendering.complete,
             render_time: rendering.stats.time,
+            thread_times: rendering.stats.thread_times,
             rays: classes(&rendering.stats, counted),
         }
     }
@@ -96,9 +101,10 @@ impl Report {
 /// The classes that occurred; view rays always, so that there is one.
 fn classes(stats: &RenderStats, counted: bool) -> Vec<RayClass> {
     let class = |class: render::RayClass| {
+        let trace_time = stats.thread_times.of(Stage::Tracing(class));
         let stats = stats.class(class);
         let counts = counted.then_some(stats.tests);
-        RayClass { name: class.name(), rays: stats.rays, hits: stats.hits, counts }
+        RayClass { name: class.name(), rays: stats.rays, hits: stats.hits, trace_time, counts }
     };
     let classes = render::RayClass::ALL.into_iter();
     classes.map(class).filter(|class| class.rays > 0 || class.name == "view").collect()
@@ -111,10 +117,11 @@ pub(crate) mod tests {
 
     /// Figures to show.
     pub(crate) fn example() -> Report {
-        let class = |name, rays, boxes, primitives| RayClass {
+        let class = |name, rays, milliseconds, boxes, primitives| RayClass {
             name,
             rays,
             hits: rays / 2,
+            trace_time: Duration::from_millis(milliseconds),
             counts: Some(Counts { boxes, primitives }),
         };
         let mut leaf_sizes = vec![0, 69_990];
@@ -136,6 +143,16 @@ pub(crate) mod tests {
             bytes: 96,
             sah_cost: None,
         };
+        let mut thread_times = StageTimes::default();
+        for (stage, milliseconds) in [
+            (Stage::Tracing(render::RayClass::View), 250),
+            (Stage::Tracing(render::RayClass::Shadow), 1_250),
+            (Stage::MakingRays, 400),
+            (Stage::Shading, 500),
+            (Stage::Rest, 50),
+        ] {
+            thread_times.add(stage, Duration::from_millis(milliseconds));
+        }
         Report {
             scene: "scenes/hall.sce".to_owned(),
             width: 800,
@@ -150,9 +167,10 @@ pub(crate) mod tests {
                 triangle_bytes: 3_360_000,
             },
             render_time: Duration::from_millis(1_250),
+            thread_times,
             rays: vec![
-                class("view", 1_920_000, 44_928_000, 7_872_000),
-                class("shadow", 8_000_000, 96_000_000, 4_000_000),
+                class("view", 1_920_000, 250, 44_928_000, 7_872_000),
+                class("shadow", 8_000_000, 1_250, 96_000_000, 4_000_000),
             ],
             ..Report::default()
         }

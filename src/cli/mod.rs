@@ -51,6 +51,8 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
+use crate::simd::Isa;
+
 use args::{Arguments, Command};
 use exit::{Failure, Outcome};
 use interrupt::Interrupt;
@@ -63,6 +65,7 @@ pub fn run() -> ExitCode {
 
 /// Hands what was typed to the file of its subcommand.
 fn dispatch(arguments: Arguments) -> Outcome {
+    Isa::chosen().map_err(Failure::new)?;
     let interrupt = Interrupt::install().map_err(Failure::new)?;
     match arguments.command {
         None => render::run(arguments.render, &interrupt),

@@ -124,8 +124,12 @@ impl RenderOptions {
             max_recursion: self.overrides.max_recursion.unwrap_or(of_scene.max_recursion),
             seed: self.seed,
             view: self.view,
-            count: self.stats.is_some(),
+            count: self.stats.is_some() && !self.structure.yardstick,
         };
+        if self.view == View::Heatmap && self.structure.yardstick {
+            let name = self.structure.name;
+            return Err(Failure::new(format_args!("`{name}` counts no tests: it has no heatmap")));
+        }
         check_region(settings.width, settings.height, settings.crop)?;
         check_samples(&settings)?;
         Ok(settings)
@@ -234,7 +238,7 @@ mod tests {
     #[cfg(unix)]
     fn defaults() {
         let options = options(&[]).unwrap();
-        assert_eq!(options.structure.name, "bvh");
+        assert_eq!(options.structure.name, "bvh8");
         assert_eq!(options.build, BuildConfig::default());
         assert!(options.threads >= 1);
         assert_eq!(options.light_samples, 1);

@@ -15,7 +15,7 @@ use super::terminal::{tell, tell_error};
 use super::{sight, summary};
 use crate::image_io::encode;
 use crate::render::{Rendering, Settings, render};
-use crate::scene::{BuildReport, Scene};
+use crate::scene::{BuildError, BuildReport, Scene};
 
 /// Renders; a rendering that Ctrl-C ended is written only if the options say so.
 pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> Outcome {
@@ -31,7 +31,9 @@ pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> Outcome 
         Err(error) => return Ok(refuse(&error)),
     };
     let settings = options.settings(&scene)?;
-    let (build, rendering) = pool.install(|| trace(&scene, &settings, &options, interrupt));
+    let traced = pool.install(|| trace(&scene, &settings, &options, interrupt));
+    let refused = |error| Failure::new(format_args!("`{}`: {error}", options.structure.name));
+    let (build, rendering) = traced.map_err(refused)?;
     conclude(&settings, options, build, rendering)
 }
 
@@ -57,11 +59,11 @@ fn trace(
     settings: &Settings,
     options: &RenderOptions,
     interrupt: &Interrupt,
-) -> (BuildReport, Rendering) {
-    let world = options.structure.build(scene, &options.build);
+) -> Result<(BuildReport, Rendering), BuildError> {
+    let world = options.structure.try_build(scene, &options.build)?;
     let progress = Progress::start(settings.region().pixels(), options.quiet, interrupt.clone());
     let rendering = interrupt.heeded_by(|| render(scene, &*world, settings, &progress));
-    (world.build_report(), rendering)
+    Ok((world.build_report(), rendering))
 }
 
 /// Writes the picture and tells what it took.
@@ -76,7 +78,7 @@ fn conclude(
         return Ok(Exit::Interrupted);
     }
     let mut report = Report::new(&options, settings, build, &rendering);
-    let (picture, scale) = sight::picture(rendering.sight, options.format);
+    let (picture, scale) = sight::picture(rendering.sight, settings.view, options.format);
     report.scale = scale;
     let bytes = encode(&picture, options.format).map_err(Failure::new)?;
     options.output.write(|to| to.write_all(&bytes))?;

@@ -12,7 +12,7 @@ use crate::accel::Quality;
 use crate::description::Options;
 use crate::image_io::Format;
 use crate::render::{Crop, Sampling, Settings, View};
-use crate::scene::STRUCTURES;
+use crate::scene::{STRUCTURES, YARDSTICKS};
 
 /// The default command: rendering.
 #[derive(Debug, Args)]
@@ -29,7 +29,7 @@ pub(crate) struct RenderArguments {
     pub(crate) output: Option<PathBuf>,
 
     /// The acceleration structure
-    #[arg(long, value_name = "NAME", default_value = "bvh", value_parser = structure_names(),
+    #[arg(long, value_name = "NAME", default_value = "bvh8", value_parser = structure_names(),
         help_heading = "Structure")]
     pub(crate) accel: String,
 
@@ -90,8 +90,8 @@ pub(crate) struct RenderArguments {
 
     /// What the pixels show
     ///
-    /// Depths and heatmaps are coloured, with the scale on standard error; exr and hdr get the
-    /// numbers themselves.
+    /// Depths (in steps of equal factors) and heatmaps are coloured, with the scale on standard
+    /// error; exr and hdr get the numbers themselves.
     #[arg(long, value_name = "WHAT", default_value = View::default().name(),
         value_parser = described(&View::ALL, View::name, View::summary),
         help_heading = "Picture")]
@@ -117,11 +117,11 @@ pub(crate) struct RenderArguments {
     /// The table goes to standard error. JSON goes to standard output, unless the picture does.
     /// Counting takes some time; the picture stays the same.
     ///
-    /// The JSON is one object of `version` 1: scene, width, height, view, scale (low and high, of
-    /// depths and heatmaps), partial, threads, structure (name, build, build_seconds, objects and
+    /// The JSON is one object of `version` 1: scene, width, height, view, scale (low, high
+    /// and spacing, of depths and heatmaps), partial, threads, structure (name, build, build_seconds, objects and
     /// meshes with bytes, nodes, leaves, depth and leaf_sizes, triangles, triangle_bytes,
-    /// bytes_per_triangle), render_seconds, rays, rays_per_second and classes (class, rays, hits,
-    /// boxes, primitives, boxes_per_ray, primitives_per_ray). Means of nothing are null.
+    /// bytes_per_triangle), render_seconds, thread_seconds (total, tracing, making_rays, shading, rest; added up
+    /// over the threads), rays, rays_per_second and classes (class, rays, hits, trace_seconds, boxes, primitives, boxes_per_ray, primitives_per_ray). Means of nothing are null.
     #[arg(long, value_enum, value_name = "FORM", num_args = 0..=1, require_equals = true,
         default_missing_value = "table", help_heading = "Output")]
     pub(crate) stats: Option<StatsForm>,
@@ -142,5 +142,6 @@ pub(crate) enum StatsForm {
 
 /// The names of the structures, with what they are.
 fn structure_names() -> PossibleValuesParser {
-    STRUCTURES.iter().map(|s| PossibleValue::new(s.name).help(s.summary)).into()
+    let all = STRUCTURES.iter().chain(YARDSTICKS);
+    all.map(|s| PossibleValue::new(s.name).help(s.summary)).collect::<Vec<_>>().into()
 }

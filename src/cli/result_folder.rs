@@ -50,6 +50,9 @@ impl ResultFolder {
         let json = json::write(comparison).map_err(Failure::new)?;
         self.write_file("report.json", json.as_bytes())?;
         self.write_file("report.csv", csv::write(comparison).as_bytes())?;
+        if let Some(text) = csv::write_sampling(comparison) {
+            self.write_file("sampling.csv", text.as_bytes())?;
+        }
         self.write_file("report.md", markdown::write(comparison).as_bytes())?;
         self.write_file("report.html", html::write(comparison, pictures).as_bytes())
     }

@@ -4,10 +4,13 @@
 use super::units;
 use crate::image_io::{Format, Picture};
 use crate::math::Color;
-use crate::render::{Scale, Sight, View, heat_picture};
+use crate::render::{Scale, Sight, Spacing, View, heat_picture};
+
+/// The scale of a picture in which nothing is seen.
+const NOTHING: Scale = Scale { low: 0.0, high: 0.0, spacing: Spacing::Linear };
 
 /// The picture for a format, and the scale of its colours if it shows numbers.
-pub(crate) fn picture(sight: Sight, format: Format) -> (Picture, Option<Scale>) {
+pub(crate) fn picture(sight: Sight, view: View, format: Format) -> (Picture, Option<Scale>) {
     match sight {
         Sight::Picture(picture) => (picture, None),
         Sight::Field { width, height, values } if format.is_linear() => (
@@ -15,7 +18,9 @@ pub(crate) fn picture(sight: Sight, format: Format) -> (Picture, Option<Scale>) 
             None,
         ),
         Sight::Field { width, height, values } => {
-            let scale = Scale::of(&values).unwrap_or(Scale { low: 0.0, high: 0.0 });
+            let scale = Scale::of(&values).unwrap_or(NOTHING);
+            // What is near takes up more of a picture than of the depths.
+            let scale = if view == View::Depth { scale.logarithmic() } else { scale };
             (heat_picture(width, height, &values, scale), Some(scale))
         }
     }
@@ -23,12 +28,13 @@ pub(crate) fn picture(sight: Sight, format: Format) -> (Picture, Option<Scale>) 
 
 /// What the colours of a scale mean.
 pub(crate) fn legend(view: View, scale: Scale) -> String {
-    let Scale { low, high } = scale;
+    let Scale { low, high, .. } = scale;
     match view {
         View::Depth => format!(
-            "depth: black is {} and pale yellow {} of the scene's units away; \
-             grey is where nothing is seen",
+            "depth: black is {} of the scene's units away, the middle of the scale {} and pale \
+             yellow {}, in steps of equal factors; grey is where nothing is seen",
             units::figures(low),
+            units::figures(scale.middle()),
             units::figures(high),
         ),
         _ => format!(
@@ -48,7 +54,7 @@ mod tests {
 
     #[test]
     fn floats_keep_the_numbers() {
-        let (picture, scale) = picture(depths(), Format::Exr);
+        let (picture, scale) = picture(depths(), View::Depth, Format::Exr);
         assert_eq!(picture.pixels[0], Color::splat(3.5));
         assert!(picture.pixels[1].is_nan());
         assert_eq!(scale, None);
@@ -56,17 +62,21 @@ mod tests {
 
     #[test]
     fn bytes_get_colours_and_a_legend() {
-        let (picture, scale) = picture(depths(), Format::Png);
+        let (picture, scale) = picture(depths(), View::Depth, Format::Png);
         assert_eq!(picture.pixels[1], Color::splat(0.5));
-        let legend = legend(View::Depth, scale.unwrap());
-        assert!(legend.starts_with("depth: black is 3.500 and pale yellow 3.500 "), "{legend}");
+        let scale = scale.unwrap();
+        assert_eq!(scale.spacing, Spacing::Logarithmic);
+        let legend = legend(View::Depth, Scale { high: 14.0, ..scale });
+        let start =
+            "depth: black is 3.500 of the scene's units away, the middle of the scale 7.000";
+        assert!(legend.starts_with(start), "{legend}");
     }
 
     #[test]
     fn nothing_seen_at_all_is_grey() {
         let nothing = Sight::Field { width: 1, height: 1, values: vec![f32::NAN] };
-        let (picture, scale) = picture(nothing, Format::Tga);
+        let (picture, scale) = picture(nothing, View::Depth, Format::Tga);
         assert_eq!(picture.pixels, [Color::splat(0.5)]);
-        assert_eq!(scale, Some(Scale { low: 0.0, high: 0.0 }));
+        assert_eq!(scale, Some(NOTHING));
     }
 }

@@ -6,12 +6,15 @@ use super::figures::{RayClass, Report};
 use super::units;
 use crate::accel::StructureShape;
 use crate::counters::Counts;
+use crate::render::Stage;
 
 /// Size, structure, build time, render time, rays by class, million rays a second.
 pub(crate) fn line(report: &Report) -> String {
     let partial = if report.partial { " (stopped early)" } else { "" };
+    let share = report.thread_times.tracing_share();
+    let tracing = share.map_or(String::new(), |s| format!(" ({:.0} % of it tracing)", 100.0 * s));
     format!(
-        "{} × {}, {}: built in {}, rendered in {}{partial}, {}, {}",
+        "{} × {}, {}: built in {}, rendered in {}{tracing}{partial}, {}, {}",
         report.width,
         report.height,
         report.structure,
@@ -59,7 +62,21 @@ pub(crate) fn table(report: &Report) -> String {
     for [name, count, boxes, primitives] in std::iter::once(heading).chain(rows) {
         let _ = writeln!(text, "{name:<12}{count:>10}{boxes:>13}{primitives:>18}");
     }
+    text.push('\n');
+    let heading = ["threads", "time", "share"].map(str::to_owned);
+    for [name, time, share] in std::iter::once(heading).chain(stages(report)) {
+        let _ = writeln!(text, "{name:<24}{time:>10}{share:>9}");
+    }
     text
+}
+
+/// What the threads spent their time on: the stages that took any.
+fn stages(report: &Report) -> impl Iterator<Item = [String; 3]> {
+    let times = &report.thread_times;
+    Stage::ALL.into_iter().filter(|&stage| !times.of(stage).is_zero()).map(|stage| {
+        let share = times.share(stage).map_or(String::new(), |s| format!("{:.1} %", 100.0 * s));
+        [stage.name().to_owned(), units::time(times.of(stage)), share]
+    })
 }
 
 fn facts(report: &Report) -> [(&'static str, String); 5] {
@@ -129,7 +146,13 @@ fn total_row(report: &Report) -> Option<[String; 4]> {
         counts += class.counts?;
     }
     let hits = report.rays.iter().map(|class| class.hits).sum();
-    let total = RayClass { name: "all", rays: report.total_rays(), hits, counts: Some(counts) };
+    let total = RayClass {
+        name: "all",
+        rays: report.total_rays(),
+        hits,
+        trace_time: report.thread_times.tracing(),
+        counts: Some(counts),
+    };
     (report.rays.len() > 1).then(|| row(&total))
 }
 
@@ -142,7 +165,7 @@ mod tests {
     fn the_line() {
         assert_eq!(
             line(&example()),
-            "800 × 600, bvh: built in 45.6 ms, rendered in 1.25 s, \
+            "800 × 600, bvh: built in 45.6 ms, rendered in 1.25 s (61 % of it tracing), \
              9.92 M rays (1.92 M view, 8.00 M shadow), 7.94 M rays/s"
         );
     }
@@ -150,7 +173,10 @@ mod tests {
     #[test]
     fn the_line_of_a_stopped_rendering_says_so() {
         let report = Report { partial: true, rays: Vec::new(), ..example() };
-        assert!(line(&report).contains("rendered in 1.25 s (stopped early), 0 rays, "));
+        assert!(
+            line(&report)
+                .contains("rendered in 1.25 s (61 % of it tracing) (stopped early), 0 rays, ")
+        );
     }
 
     #[test]
@@ -170,6 +196,13 @@ rays             count    boxes/ray    primitives/ray
 view            1.92 M        23.40              4.10
 shadow          8.00 M        12.00              0.50
 all             9.92 M        14.21              1.20
+
+threads                       time    share
+tracing view rays           250 ms   10.2 %
+tracing shadow rays         1.25 s   51.0 %
+making rays                 400 ms   16.3 %
+shading                     500 ms   20.4 %
+the rest                   50.0 ms    2.0 %
 ";
         assert_eq!(table(&example()), expected);
     }

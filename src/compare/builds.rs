@@ -18,7 +18,8 @@ pub(super) fn build_all(entrants: &mut [Entrant<'_>], stage: &Stage<'_>) {
         stage.pools.all.install(|| entrant.build(stage.scene, &stage.plan.build));
         let peak = if anew { peak_resident_bytes() } else { None };
         if let Some(report) = entrant.report() {
-            entrant.record.shape = Some(quality::shape(&report, stage.scene));
+            let known = !entrant.structure.yardstick;
+            entrant.record.shape = known.then(|| quality::shape(&report, stage.scene));
             entrant.record.memory = Some(quality::memory(&report, peak));
         }
     }

@@ -24,14 +24,19 @@ pub(super) struct Entrant<'a> {
 
 impl<'a> Entrant<'a> {
     pub(super) fn new(structure: &'a Structure) -> Self {
-        let record = StructureRecord { name: structure.name.to_owned(), ..Default::default() };
+        let record = StructureRecord {
+            name: structure.name.to_owned(),
+            yardstick: structure.yardstick,
+            ..Default::default()
+        };
         Self { structure, world: None, record }
     }
 
     /// Builds it, on the threads of the current rayon pool, and keeps what was built.
     pub(super) fn build(&mut self, scene: &Scene, config: &BuildConfig) {
-        match guarded(|| self.structure.build(scene, config)) {
-            Ok(world) => self.world = Some(world),
+        match guarded(|| self.structure.try_build(scene, config)) {
+            Ok(Ok(world)) => self.world = Some(world),
+            Ok(Err(error)) => self.fail(error.to_string()),
             Err(message) => self.fail(message),
         }
     }
@@ -47,7 +52,7 @@ impl<'a> Entrant<'a> {
     }
 
     /// Lets it trace something. `None` if it cannot, or if it fails now.
-    pub(super) fn attempt<T>(&mut self, work: impl FnOnce(&dyn Tracer) -> T) -> Option<T> {
+    pub(super) fn attempt<T>(&mut self, work: impl FnOnce(&dyn TracedWorld) -> T) -> Option<T> {
         let world = self.world.as_deref()?;
         match guarded(|| work(world)) {
             Ok(result) => Some(result),

@@ -3,6 +3,9 @@
 use std::fs;
 
 use crate::record::{Machine, Run};
+use crate::simd::Isa;
+
+use super::commit::commit;
 
 /// What is known of the machine now.
 pub(super) fn machine() -> Machine {
@@ -23,7 +26,7 @@ pub(super) fn build_of_program() -> Run {
     let told = |value: Option<&str>| value.unwrap_or_default().to_owned();
     Run {
         version: env!("CARGO_PKG_VERSION").to_owned(),
-        commit: option_env!("SRT_COMMIT").map(str::to_owned),
+        commit: commit(),
         compiler: told(option_env!("SRT_COMPILER")),
         profile: told(option_env!("SRT_PROFILE")),
         flags: told(option_env!("SRT_FLAGS")),
@@ -42,8 +45,15 @@ pub(super) fn forget_peak() -> bool {
     fs::write("/proc/self/clear_refs", "5").is_ok()
 }
 
-/// The widest of the instruction sets that the program was compiled for: it uses no other.
+/// What the kernels of `bvh8` run with, chosen as the program starts, and what everything else was
+/// compiled for.
 fn instruction_set() -> String {
+    let kernels = Isa::chosen().map_or("unknown", Isa::name);
+    format!("{kernels} in the kernels of bvh8, {} elsewhere", compiled_instruction_set())
+}
+
+/// The widest of the instruction sets that the program was compiled for.
+fn compiled_instruction_set() -> String {
     let compiled = option_env!("SRT_FEATURES").unwrap_or_default();
     let has = |feature: &&str| compiled.split(',').any(|compiled| compiled == *feature);
     let widest = ["avx512f", "avx2", "avx", "sse4.2", "sse2", "neon"].into_iter().find(has);

@@ -10,16 +10,19 @@
 //! | `plan.rs`, `budget.rs`, `observer.rs`, `progress.rs` | what is asked, the time for it, who watches |
 //! | `scene.rs`, `picture_steps.rs` | one scene, step by step |
 //! | `record_rays.rs`, `extra_rays.rs` | the same rays for all |
-//! | `rounds.rs`, `replay.rs`, `builds.rs`, `pictures.rs`, `clock.rs` | what is timed |
+//! | `rounds.rs`, `replay.rs`, `builds.rs`, `pictures.rs`, `clock.rs`, `hardware.rs` | what is timed and counted |
 //! | `sweep.rs` | growth with the number of triangles |
+//! | `sampling_study/` | what random numbers and shuffling cost, and how much noise they leave |
 //! | `proof.rs`, `hash.rs` | that the answers are equal |
+//! | `agreement.rs` | that a yardstick's are close |
 //! | `entrant.rs`, `guard.rs`, `quality.rs` | a structure and its row; its panics; its form |
-//! | `machine.rs` | what measured |
+//! | `machine.rs`, `commit.rs`, `sources.rs` | what measured, and what it was built from |
 //!
 //! # Bring your own structure
 //!
 //! Implement [`Accel`](crate::accel::Accel) for a type of yours: `build` makes it from the boxes of
-//! primitives, `traverse` offers ranges of slots that a ray may hit, `shape` tells its size. The
+//! primitives, `traverse` offers ranges of slots that a ray may hit, `shape` tells its size, and
+//! `tree`, if you write it, shows its boxes, so that their end-point overlap is measured. The
 //! contract stands at the trait; in short: leave out only what lies in boxes that
 //! [`BoxRay::interval`](crate::math::BoxRay::interval) says the ray misses or meets behind the end
 //! of the search, and take comparisons as inclusive. A primitive may be offered more than once.
@@ -47,14 +50,18 @@
 //! # Ok::<(), srt::compare::CompareError>(())
 //! ```
 //!
-//! `examples/custom_accel.rs` does this with a uniform grid.
+//! What differs is told by the ray that shows it, cut to the piece around the hit and printed in
+//! full precision. `examples/custom_accel.rs` does all of this with a uniform grid.
 
+mod agreement;
 mod budget;
 mod builds;
 mod clock;
+mod commit;
 mod entrant;
 mod extra_rays;
 mod guard;
+mod hardware;
 mod hash;
 mod machine;
 mod observer;
@@ -68,7 +75,9 @@ mod record_rays;
 mod replay;
 mod rounds;
 mod run;
+mod sampling_study;
 mod scene;
+mod sources;
 mod sweep;
 
 use rayon::ThreadPool;

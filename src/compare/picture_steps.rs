@@ -40,9 +40,9 @@ impl Work<'_> {
         let Some(proof) = &mut self.outcome.record.proof else { return };
         let named = |name: &str| self.entrants.iter().position(|e| e.structure.name == name);
         let reference = named(&proof.reference).and_then(|i| all[i].clone());
-        let Some(reference) = reference.or_else(|| all.iter().flatten().next().cloned()) else {
-            return;
-        };
+        let held = self.entrants.iter().zip(all).filter(|(e, _)| !e.structure.yardstick);
+        let any = || held.filter_map(|(_, picture)| picture.clone()).next();
+        let Some(reference) = reference.or_else(any) else { return };
         let mut differing = Vec::new();
         for entry in &mut proof.structures {
             if let Some(own) = named(&entry.structure).and_then(|i| all[i].as_ref()) {
@@ -69,7 +69,8 @@ impl Work<'_> {
         estimates: &[Option<Duration>],
         budget: Budget,
     ) {
-        let left: Vec<usize> = (0..self.entrants.len()).filter(|i| !fit.contains(i)).collect();
+        let held = |i: &usize| !self.entrants[*i].structure.yardstick && !fit.contains(i);
+        let left: Vec<usize> = (0..self.entrants.len()).filter(held).collect();
         for (done, &index) in left.iter().enumerate() {
             let Some(time) = estimates[index] else { continue };
             let share = budget.share(1.0 / (left.len() - done) as f64).left();
@@ -113,8 +114,10 @@ impl Work<'_> {
         let settings = pictures::heat_settings(&self.settings());
         let samples = f64::from(settings.width) * f64::from(settings.height);
         let estimates = self.estimates(samples);
-        let fit = pictures::that_fit(&estimates, budget.share(0.2).left());
+        let mut fit = pictures::that_fit(&estimates, budget.share(0.2).left());
         self.note_missing(&fit, &estimates, "heatmap");
+        // Yardsticks count no tests.
+        fit.retain(|&i| !self.entrants[i].structure.yardstick);
         let (scale, maps) = pictures::heatmaps(&mut self.entrants, &fit, &settings, &self.stage);
         self.outcome.record.heat_scale = scale;
         for (index, picture) in maps {

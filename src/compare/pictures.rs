@@ -6,7 +6,7 @@ use crate::accel::Tracer;
 use crate::image_io::Picture;
 use crate::record::{HeatScale, PictureFile, PictureRound, RoundRule, Spacing};
 use crate::render::{self, Rendering, Scale, Settings, Sight, View, heat_picture, render};
-use crate::scene::Scene;
+use crate::scene::{Scene, TracedWorld};
 
 use super::Stage;
 use super::budget::Budget;
@@ -106,8 +106,8 @@ pub(super) fn render_once(
     settings: &Settings,
     stage: &Stage<'_>,
 ) -> Option<Picture> {
-    let render = |tracer: &dyn Tracer| {
-        let render = || render_with(stage.scene, tracer, settings, stage.cancelled);
+    let render = |world: &dyn TracedWorld| {
+        let render = || render_with(stage.scene, world, settings, stage.cancelled);
         stage.pools.all.install(render)
     };
     let rendering = entrant.attempt(render).filter(|rendering| rendering.complete)?;
@@ -118,7 +118,7 @@ pub(super) fn render_once(
 }
 
 /// A rendering that stops when the comparison is stopped.
-fn render_with(
+pub(super) fn render_with(
     scene: &Scene,
     tracer: &dyn Tracer,
     settings: &Settings,
@@ -150,8 +150,8 @@ pub(super) fn heatmaps(
 ) -> (Option<HeatScale>, Vec<(usize, Picture)>) {
     let mut fields = Vec::new();
     for &index in fit {
-        let render = |tracer: &dyn Tracer| {
-            let render = || render_with(stage.scene, tracer, settings, stage.cancelled);
+        let render = |world: &dyn TracedWorld| {
+            let render = || render_with(stage.scene, world, settings, stage.cancelled);
             stage.pools.all.install(render)
         };
         let Some(rendering) = entrants[index].attempt(render) else { continue };
@@ -163,14 +163,14 @@ pub(super) fn heatmaps(
     let all: Vec<f32> = fields.iter().flat_map(|(_, values)| values).copied().collect();
     let Some(scale) = heat_scale(&all) else { return (None, Vec::new()) };
     let picture = |(index, values): (usize, Vec<f32>)| {
-        (index, colored(settings.width, settings.height, values, &scale))
+        (index, colored(settings.width, settings.height, &values, &scale))
     };
     (Some(scale), fields.into_iter().map(picture).collect())
 }
 
 /// From the least to the most of all tests.
 fn heat_scale(values: &[f32]) -> Option<HeatScale> {
-    let Scale { low, high } = Scale::of(values)?;
+    let Scale { low, high, .. } = Scale::of(values)?;
     let (low, high) = (f64::from(low), f64::from(high));
     if high > WIDE_SCALE * low.max(1.0) {
         return Some(HeatScale { low: low.max(1.0), high, spacing: Spacing::Logarithmic });
@@ -178,13 +178,13 @@ fn heat_scale(values: &[f32]) -> Option<HeatScale> {
     Some(HeatScale { low, high, spacing: Spacing::Linear })
 }
 
-fn colored(width: u32, height: u32, mut values: Vec<f32>, scale: &HeatScale) -> Picture {
-    let place = |value: f64| match scale.spacing {
-        Spacing::Linear => value as f32,
-        Spacing::Logarithmic => value.max(scale.low).ln() as f32,
+fn colored(width: u32, height: u32, values: &[f32], scale: &HeatScale) -> Picture {
+    let spacing = match scale.spacing {
+        Spacing::Linear => render::Spacing::Linear,
+        Spacing::Logarithmic => render::Spacing::Logarithmic,
     };
-    values.iter_mut().for_each(|value| *value = place(f64::from(*value)));
-    heat_picture(width, height, &values, Scale { low: place(scale.low), high: place(scale.high) })
+    let scale = Scale { low: scale.low as f32, high: scale.high as f32, spacing };
+    heat_picture(width, height, values, scale)
 }
 
 /// What a record says of a picture in a file.
@@ -212,7 +212,7 @@ mod tests {
         assert_eq!((narrow.low, narrow.high, narrow.spacing), (2.0, 40.0, Spacing::Linear));
         let wide = heat_scale(&[0.0, 70_000.0]).unwrap();
         assert_eq!((wide.low, wide.high, wide.spacing), (1.0, 70_000.0, Spacing::Logarithmic));
-        let picture = colored(3, 1, vec![0.0, 300.0, 70_000.0], &wide);
+        let picture = colored(3, 1, &[0.0, 300.0, 70_000.0], &wide);
         let brightness = |i: usize| picture.pixels[i].element_sum();
         assert!(brightness(0) < brightness(1) && brightness(1) < brightness(2));
         assert!(heat_scale(&[]).is_none());

@@ -130,6 +130,8 @@ pub struct Plan {
     pub rays_per_class: usize,
     /// Growth with the number of triangles, if it is asked for.
     pub sweep: Option<SweepPlan>,
+    /// Whether to study what random numbers and shuffling cost and bring.
+    pub sampling_study: bool,
 }
 
 impl Plan {
@@ -151,6 +153,7 @@ impl Plan {
             rounds: RoundRule { warmup: 1, at_least: 10, relative_interval: 0.02 },
             rays_per_class: 200_000,
             sweep: None,
+            sampling_study: false,
         }
     }
 }

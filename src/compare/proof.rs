@@ -14,9 +14,19 @@ use super::record_rays::{Query, RaySet, spread};
 
 /// What the reference says to the rays of a class.
 pub(super) struct Expected<'a> {
-    set: &'a RaySet,
+    pub(super) set: &'a RaySet,
     rays: Vec<Ray>,
-    answers: Answers,
+    pub(super) answers: Answers,
+}
+
+impl Expected<'_> {
+    /// As many of the rays as `share` has time for, evenly spread, and their places.
+    pub(super) fn asked(&self, time: Option<Duration>, share: Duration) -> (Vec<usize>, Vec<Ray>) {
+        let count = affordable(time, share).min(self.rays.len());
+        let places: Vec<usize> = (0..count).map(|i| i * self.rays.len() / count).collect();
+        let rays = places.iter().map(|&place| self.rays[place]).collect();
+        (places, rays)
+    }
 }
 
 /// The reference's answers to as many rays of each class as `share` has time for.
@@ -52,9 +62,7 @@ pub(super) fn check_rays(
     proof: &mut StructureProof,
 ) {
     for (class, time) in expected.iter().zip(ray_times) {
-        let count = affordable(*time, share).min(class.rays.len());
-        let places: Vec<usize> = (0..count).map(|i| i * class.rays.len() / count).collect();
-        let rays: Vec<Ray> = places.iter().map(|&place| class.rays[place]).collect();
+        let (places, rays) = class.asked(*time, share);
         let mut answers = Answers::default();
         let query = class.set.query;
         let traced = entrant.attempt(|tracer| {
@@ -77,13 +85,13 @@ pub(super) fn check_rays(
 
 /// One answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Answer {
+pub(super) enum Answer {
     Hit(Hit),
     Blocked(bool),
 }
 
 impl Answers {
-    fn at(&self, place: usize, query: Query) -> Answer {
+    pub(super) fn at(&self, place: usize, query: Query) -> Answer {
         match query {
             Query::Closest => Answer::Hit(self.hits[place]),
             Query::Any => Answer::Blocked(self.blocked[place]),

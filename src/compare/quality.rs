@@ -1,10 +1,10 @@
 //! What a structure is, as the report states it: form, quality and memory.
-//!
-//! End-point overlap is left out: it takes every triangle's area in every node it overlaps without
-//! belonging to it, which the interface to structures does not tell.
 
 use crate::record::{Memory, Shape};
-use crate::scene::{BuildReport, Scene};
+use crate::scene::{BuildReport, Scene, TracedWorld};
+
+use super::Stage;
+use super::entrant::Entrant;
 
 /// The form of the structures over the meshes; in a scene without meshes, of that over the objects.
 pub(super) fn shape(report: &BuildReport, scene: &Scene) -> Shape {
@@ -20,7 +20,28 @@ pub(super) fn shape(report: &BuildReport, scene: &Scene) -> Shape {
         leaf_sizes: trimmed(&shape.leaf_sizes),
         primitives,
         sah_cost: shape.sah_cost,
+        // Measured later, and once: it takes longer than all of this.
         epo: None,
+        epo_standard_error: None,
+        epo_samples: None,
+    }
+}
+
+/// Adds the end-point overlap to the forms of trees.
+pub(super) fn add_overlap(entrants: &mut [Entrant<'_>], stage: &Stage<'_>) {
+    let seed = stage.plan.picture.seed;
+    for entrant in entrants {
+        let measure =
+            |world: &dyn TracedWorld| stage.pools.all.install(|| world.end_point_overlap(seed));
+        let overlap = entrant.attempt(measure).flatten();
+        if let Some((shape, overlap)) = entrant.record.shape.as_mut().zip(overlap) {
+            shape.epo = Some(overlap.cost);
+            shape.epo_standard_error = overlap.samples.map(|_| overlap.standard_error);
+            shape.epo_samples = overlap.samples;
+        }
+        if (stage.cancelled)() {
+            return;
+        }
     }
 }
 

@@ -15,6 +15,7 @@ use super::Stage;
 use super::budget::Budget;
 use super::clock::timed;
 use super::entrant::{Answers, Entrant, trace};
+use super::hardware::Hardware;
 use super::record_rays::{RaySet, spread};
 use super::rounds::{Repeat, interleaved};
 
@@ -81,12 +82,15 @@ pub(super) fn replay(
         lanes.push(Lane { entrant: index, rays, answers: Answers::default() });
     }
     let repeat = Repeat { rule, budget, cancelled: &|| (stage.cancelled)() };
+    let mut hardware = Hardware::of_this_thread();
     let rounds = interleaved(lanes.len(), &repeat, |lane| {
         let Lane { entrant, rays, answers } = &mut lanes[lane];
         let entrant = &mut entrants[*entrant];
         entrant.attempt(|tracer| {
-            let ((), round) = timed(|| trace(tracer, set.query, rays, answers, None));
-            (round, round.wall_ns)
+            // The counters are set going outside of what is timed.
+            let work = || timed(|| trace(tracer, set.query, rays, answers, None));
+            let (((), round), counts) = hardware.count(work);
+            (Round { hardware: counts, ..round }, round.wall_ns)
         })
     });
     for (lane, rounds) in lanes.iter().zip(rounds) {
@@ -104,12 +108,13 @@ fn note(entrant: &mut Entrant<'_>, set: &RaySet, rays: &[Ray], rounds: Vec<Round
         trace(tracer, set.query, rays, &mut answers, Some(&mut counts));
         (answers.hit_count(set.query), counts)
     });
+    let tests = counted.filter(|_| !entrant.structure.yardstick).map(|(_, counts)| counts);
     entrant.record.classes.push(ClassRecord {
         class: set.class,
         rays: rays.len() as u64,
         hits: counted.map_or(0, |(hits, _)| hits),
-        boxes: counted.map(|(_, counts)| counts.boxes),
-        primitives: counted.map(|(_, counts)| counts.primitives),
+        boxes: tests.map(|counts| counts.boxes),
+        primitives: tests.map(|counts| counts.primitives),
         rounds,
     });
 }

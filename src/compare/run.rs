@@ -7,7 +7,7 @@ use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use thiserror::Error;
 
 use crate::image_io::Picture;
-use crate::record::{Comparison, Options, Proof, Run, Status, StructureRecord};
+use crate::record::{Comparison, Options, Proof, Run, SceneRecord, Status, StructureRecord};
 use crate::scene::Structure;
 
 use super::Pools;
@@ -16,6 +16,7 @@ use super::machine::build_of_program;
 use super::observer::Observer;
 use super::plan::Plan;
 use super::progress::Progress;
+use super::sampling_study::sampling_study;
 use super::scene::compare_scene;
 use super::sweep::sweep;
 
@@ -29,13 +30,20 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether no structure failed: all gave the same hits and pictures wherever that was checked.
+    /// Whether no structure failed: all gave the same hits and pictures wherever that was checked,
+    /// and enough of a yardstick's agreed. (One that does not know the scene's shapes is no failure.)
     #[must_use]
     pub fn holds(&self) -> bool {
         let scenes = &self.comparison.scenes;
+        let asked = |scene: &SceneRecord, row: &StructureRecord| {
+            let traced = scene.proof.as_ref().and_then(|proof| proof.yardstick(&row.name));
+            !row.yardstick || traced.is_some()
+        };
         let failed = |row: &StructureRecord| matches!(row.status, Status::Failed { .. });
         scenes.iter().filter_map(|scene| scene.proof.as_ref()).all(Proof::holds)
-            && !scenes.iter().flat_map(|scene| &scene.structures).any(failed)
+            && !scenes
+                .iter()
+                .any(|scene| scene.structures.iter().any(|row| failed(row) && asked(scene, row)))
     }
 }
 
@@ -83,7 +91,8 @@ pub fn run(
     let mut comparison = Comparison::new(describe(plan), base.name);
     let mut pictures = Vec::new();
     let budget = Budget::from_now(plan.budget);
-    let parts = plan.scenes.len() + usize::from(plan.sweep.is_some());
+    let parts =
+        plan.scenes.len() + usize::from(plan.sweep.is_some()) + usize::from(plan.sampling_study);
     for (done, input) in plan.scenes.iter().enumerate() {
         if observer.cancelled() {
             break;
@@ -99,11 +108,21 @@ pub fn run(
         pictures.extend(outcome.pictures);
     }
     if let Some(growth) = plan.sweep.as_ref().filter(|_| !observer.cancelled()) {
-        let progress =
-            Progress { observer, from: plan.scenes.len() as f64 / parts as f64, to: 1.0 };
-        let share = scene_budget(plan, budget, 1);
+        let done = plan.scenes.len();
+        let from = done as f64 / parts as f64;
+        let to = (done + 1) as f64 / parts as f64;
+        let progress = Progress { observer, from, to };
+        let share = scene_budget(plan, budget, parts - done);
         let work = || sweep(growth, structures, plan, &pools, share, &progress);
         comparison.sweeps.push(progress.watch(share, work));
+    }
+    if plan.sampling_study && !observer.cancelled() {
+        let progress = Progress { observer, from: (parts - 1) as f64 / parts as f64, to: 1.0 };
+        let share = scene_budget(plan, budget, 1);
+        let work = || sampling_study(plan, &pools, share, &progress);
+        let study = progress.watch(share, work);
+        comparison.sampling = Some(study.chapter);
+        comparison.notes.extend(study.notes);
     }
     comparison.run.partial = observer.cancelled();
     comparison.run.elapsed_seconds = start.elapsed().as_secs_f64();
@@ -164,6 +183,5 @@ fn general_notes() -> Vec<String> {
          says, evenly spread over them: nanoseconds per ray stay comparable, but carry the \
          uncertainty of the choice beside that of the rounds."
             .into(),
-        "End-point overlap was not computed, and no hardware counters were read.".into(),
     ]
 }

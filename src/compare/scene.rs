@@ -13,7 +13,9 @@ use super::entrant::Entrant;
 use super::plan::{Plan, SceneInput};
 use super::progress::Progress;
 use super::record_rays::{Limits, Recording, record};
-use super::{Pools, builds, extra_rays, picture_steps, pictures, proof, replay};
+use super::{
+    Pools, agreement, builds, extra_rays, picture_steps, pictures, proof, quality, replay,
+};
 
 /// What all steps of a scene share.
 pub(super) struct Stage<'a> {
@@ -82,13 +84,14 @@ pub(super) fn compare_scene(
 type Step<'a> = (&'static str, fn(&mut Work<'a>, Budget));
 
 /// What is done in a scene: first what proves, then what measures.
-fn steps<'a>() -> [Step<'a>; 7] {
+fn steps<'a>() -> [Step<'a>; 8] {
     [
         ("building", |work, _| builds::build_all(&mut work.entrants, &work.stage)),
         ("recording rays", Work::record),
         ("comparing hits", Work::prove_hits),
         ("rendering", Work::render),
         ("drawing heatmaps", Work::draw_heatmaps),
+        ("measuring overlap", |work, _| quality::add_overlap(&mut work.entrants, &work.stage)),
         ("timing builds", |work, budget| {
             builds::measure(&mut work.entrants, &work.stage, budget.share(0.25));
         }),
@@ -165,9 +168,11 @@ impl Work<'_> {
             &self.estimates(self.samples()),
             picture_steps::picture_budget(budget).left(),
         );
+        let held = |i: &usize| !self.entrants[*i].structure.yardstick;
         let none = fit.iter().copied().find(|&i| self.entrants[i].structure.name == "none");
-        let any = || (0..self.entrants.len()).find(|&i| self.entrants[i].is_fit());
-        let Some(reference) = none.or_else(|| fit.first().copied()).or_else(any) else { return };
+        let quick = || fit.iter().copied().find(held);
+        let any = || (0..self.entrants.len()).filter(held).find(|&i| self.entrants[i].is_fit());
+        let Some(reference) = none.or_else(quick).or_else(any) else { return };
         let classes = self.recording.sets.len().max(1) as f64;
         let lanes = 2.0 * self.entrants.len() as f64;
         let share = budget.left().mul_f64(0.1 / lanes / classes);
@@ -175,13 +180,17 @@ impl Work<'_> {
         let sets = &self.recording.sets;
         let expected =
             proof::expected(&mut self.entrants[reference], sets, &times[reference], share);
-        let mut proofs = Vec::new();
+        let (mut proofs, mut yardsticks) = (Vec::new(), Vec::new());
         for (entrant, times) in self.entrants.iter_mut().zip(times) {
             let structure = entrant.structure.name.to_owned();
-            let mut proof = StructureProof { structure, ..StructureProof::default() };
             if (self.stage.cancelled)() {
                 break;
             }
+            if entrant.structure.yardstick {
+                yardsticks.extend(agreement::check(entrant, &expected, times, share));
+                continue;
+            }
+            let mut proof = StructureProof { structure, ..StructureProof::default() };
             proof::check_rays(entrant, &expected, times, share, &mut proof);
             if let Some(text) = &proof.first_difference {
                 entrant.fail(format!("its answers differ: {text}"));
@@ -191,7 +200,7 @@ impl Work<'_> {
             }
         }
         let reference = self.entrants[reference].structure.name.to_owned();
-        self.outcome.record.proof = Some(Proof { reference, structures: proofs });
+        self.outcome.record.proof = Some(Proof { reference, structures: proofs, yardsticks });
     }
 
     /// Replays every class.

@@ -44,8 +44,7 @@ impl Random {
     /// Two numbers uniform in [0, 1), from one step of the stream.
     #[inline]
     pub fn next_pair(&mut self) -> [f32; 2] {
-        let bits = self.next_u64();
-        [unit_f32((bits >> 40) as u32), unit_f32((bits >> 8) as u32 & 0x00FF_FFFF)]
+        unit_pair(self.next_u64())
     }
 
     /// Uniform in 0..n for n > 0 (by multiplication: Lemire, *Fast random integer generation in an
@@ -54,6 +53,13 @@ impl Random {
     pub fn below(&mut self, n: u32) -> u32 {
         ((u64::from((self.next_u64() >> 32) as u32) * u64::from(n)) >> 32) as u32
     }
+}
+
+/// Two numbers uniform in [0, 1), on a grid of 2⁻²⁴, from 64 random bits.
+#[inline]
+#[must_use]
+pub fn unit_pair(bits: u64) -> [f32; 2] {
+    [unit_f32((bits >> 40) as u32), unit_f32((bits >> 8) as u32 & 0x00FF_FFFF)]
 }
 
 /// 24 random bits as a float in [0, 1).

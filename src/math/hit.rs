@@ -22,6 +22,9 @@ pub struct Hit {
     pub v: f32,
 }
 
+/// How far the parameters of two formulas may lie apart, as a share of the larger one.
+pub const CLOSE: f32 = 1e-4;
+
 impl Hit {
     /// What a ray that hits nothing has.
     pub const MISS: Self = Self { t: f32::INFINITY, object: NONE, prim: NONE, u: 0.0, v: 0.0 };
@@ -53,11 +56,33 @@ impl Hit {
         let bits = |h: &Self| (h.t.to_bits(), h.object, h.prim, h.u.to_bits(), h.v.to_bits());
         bits(self) == bits(other)
     }
+
+    /// Whether another formula may have found `other` where this one found `self`: the same
+    /// primitive of the same object, or a `t` that is the same but for [`CLOSE`] of it; or neither
+    /// hit anything. What a yardstick is held to.
+    #[must_use]
+    pub fn agrees(&self, other: &Self) -> bool {
+        if !self.is_hit() || !other.is_hit() {
+            return self.is_hit() == other.is_hit();
+        }
+        (self.object, self.prim) == (other.object, other.prim)
+            || (self.t - other.t).abs() <= CLOSE * self.t.abs().max(other.t.abs())
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn hits_agree_on_the_primitive_or_nearly_on_the_parameter() {
+        let hit = |t, prim| Hit { t, object: 0, prim, u: 0.0, v: 0.0 };
+        assert!(hit(1.0, 3).agrees(&hit(1.1, 3)));
+        assert!(hit(1.0, 3).agrees(&hit(1.00005, 4)));
+        assert!(!hit(1.0, 3).agrees(&hit(1.0003, 4)));
+        assert!(!hit(1.0, 3).agrees(&Hit::MISS) && !Hit::MISS.agrees(&hit(1.0, 3)));
+        assert!(Hit::MISS.agrees(&Hit::MISS));
+    }
 
     #[test]
     fn ties_go_to_the_smaller_object_then_the_smaller_primitive() {

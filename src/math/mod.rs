@@ -12,8 +12,8 @@ mod transform;
 
 pub use aabb::Aabb;
 pub use box_ray::{BoxRay, Padding};
-pub use hash::{Random, hash_u64};
-pub use hit::{Hit, NONE};
+pub use hash::{Random, hash_u64, unit_pair};
+pub use hit::{CLOSE, Hit, NONE};
 pub use ray::Ray;
 pub(crate) use transform::outward_box;
 pub use transform::{ConditionError, RayToObject, Transform};

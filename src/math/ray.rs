@@ -35,6 +35,14 @@ impl Ray {
         Self { origin, t_min, dir, t_max: t_max.min(f32::MAX) }
     }
 
+    /// Origin, `t_min`, direction, `t_max`.
+    #[inline]
+    #[must_use]
+    pub fn to_array(&self) -> [f32; 8] {
+        let ([ox, oy, oz], [dx, dy, dz]) = (self.origin.to_array(), self.dir.to_array());
+        [ox, oy, oz, self.t_min, dx, dy, dz, self.t_max]
+    }
+
     /// The point at parameter `t`.
     #[must_use]
     pub fn at(&self, t: f32) -> Vec3 {

@@ -9,6 +9,9 @@ pub struct Proof {
     pub reference: String,
     /// The structures that rendered, the reference included.
     pub structures: Vec<StructureProof>,
+    /// The yardsticks, which are not held to equality.
+    #[serde(default)]
+    pub yardsticks: Vec<YardstickProof>,
 }
 
 impl Proof {
@@ -16,6 +19,12 @@ impl Proof {
     #[must_use]
     pub fn holds(&self) -> bool {
         self.structures.iter().all(StructureProof::holds)
+    }
+
+    /// The entry of a yardstick.
+    #[must_use]
+    pub fn yardstick(&self, name: &str) -> Option<&YardstickProof> {
+        self.yardsticks.iter().find(|entry| entry.structure == name)
     }
 
     /// The entry of a structure.
@@ -52,5 +61,28 @@ impl StructureProof {
     #[must_use]
     pub fn holds(&self) -> bool {
         self.picture_equal != Some(false) && self.differing_pixels == 0 && self.differing_hits == 0
+    }
+}
+
+/// How a yardstick's answers agree with the reference's: its formulas are its own, so its hits and
+/// pictures differ in their last bits.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct YardstickProof {
+    /// The yardstick.
+    pub structure: String,
+    /// Recorded rays whose answers were compared.
+    pub rays_checked: u64,
+    /// How many of these answers agree: the same primitive, a distance that is close, or nothing;
+    /// for shadow rays the same answer.
+    pub rays_agreeing: u64,
+    /// How far close distances may lie apart, as a share of the larger one.
+    pub close: f32,
+}
+
+impl YardstickProof {
+    /// The share of the answers that agree, from 0 to 1; `None` if none was compared.
+    #[must_use]
+    pub fn share(&self) -> Option<f64> {
+        (self.rays_checked > 0).then(|| self.rays_agreeing as f64 / self.rays_checked as f64)
     }
 }

@@ -13,7 +13,8 @@ pub struct Run {
     pub date: String,
     /// The version of srt.
     pub version: String,
-    /// The commit that it was built from, `-dirty` behind it if files had changed.
+    /// The commit whose sources it was built from, `-dirty` behind it if they had changed since;
+    /// absent where that is not known.
     pub commit: Option<String>,
     /// The compiler and its version.
     pub compiler: String,

@@ -7,11 +7,13 @@ use serde::{Deserialize, Serialize};
 pub struct SamplingChapter {
     /// What single operations cost.
     pub costs: Vec<OperationCost>,
-    /// What share of a frame they are.
-    pub shares: Vec<FrameShare>,
+    /// How often a frame does them.
+    pub parts: Vec<FramePart>,
+    /// The pictures that noise is measured against.
+    pub converged: Vec<ConvergedPicture>,
     /// How much noise is left.
     pub noise: Vec<NoisePoint>,
-    /// The method that is the default because of these figures.
+    /// The method that is the default of this program.
     pub default: String,
 }
 
@@ -22,47 +24,60 @@ pub struct OperationCost {
     pub operation: String,
     /// How many times each round did it.
     pub count: u64,
-    /// Wall time of each round in nanoseconds.
+    /// Processor time of each round in nanoseconds; wall time where the system does not tell.
     pub rounds_ns: Vec<u64>,
 }
 
-/// A part of the time that a frame takes.
+/// How often an operation is done in one of the frames whose noise was measured.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct FrameShare {
+pub struct FramePart {
     /// The name of the scene.
     pub scene: String,
-    /// What the time goes to, such as `shuffling`.
-    pub part: String,
-    /// Its share of the frame's time, from 0 to 1.
-    pub share: f64,
+    /// The method of the frame (`shuffled`, `independent`).
+    pub sampling: String,
+    /// View samples for each pixel of the frame.
+    pub pixel_samples: u32,
+    /// The operation, one of those whose cost is known.
+    pub operation: String,
+    /// How many times.
+    pub count: u64,
 }
 
-/// What is held equal between two methods of sampling.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Pairing {
-    /// The same number of samples.
-    EqualSamples,
-    /// As many samples as take the same time.
-    EqualTime,
+/// The mean of many renderings of a scene, each with random numbers of its own.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ConvergedPicture {
+    /// The name of the scene.
+    pub scene: String,
+    /// Width in pixels, of all frames of the scene.
+    pub width: u32,
+    /// Height in pixels, of all frames of the scene.
+    pub height: u32,
+    /// How many renderings were averaged.
+    pub passes: u32,
+    /// View samples for each pixel of a rendering.
+    pub pixel_samples: u32,
+    /// Light samples for each view sample and light.
+    pub light_samples: u32,
+    /// The noise that the mean itself still has, by how its renderings differ, in the unit of the
+    /// noise of frames.
+    pub rmse: f64,
 }
 
-/// The noise in a picture.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// The noise in the frames of a method with so many samples, and the time they take on one thread.
+/// Rounds of the same number ran beside each other, with the same random view rays.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct NoisePoint {
     /// The name of the scene.
     pub scene: String,
     /// The method (`shuffled`, `independent`).
     pub sampling: String,
-    /// What this point has in common with the other methods' points.
-    pub pairing: Pairing,
     /// View samples for each pixel.
     pub pixel_samples: u32,
     /// Light samples for each view sample and light.
     pub light_samples: u32,
-    /// Wall time of the frame in seconds.
-    pub seconds: f64,
-    /// Root of the mean squared difference to a converged picture, over all channels, in linear
-    /// units.
-    pub rmse: f64,
+    /// Processor time of each frame in nanoseconds; wall time where the system does not tell.
+    pub rounds_ns: Vec<u64>,
+    /// For each frame, the root of the mean squared difference to the converged picture, over all
+    /// channels, in linear units.
+    pub rounds_rmse: Vec<f64>,
 }

@@ -9,6 +9,10 @@ use super::{ClassRecord, PictureFile, RayClass};
 pub struct StructureRecord {
     /// The name of the structure.
     pub name: String,
+    /// Whether it is another program's, compared for its speed alone: not held to equal answers,
+    /// and without counts, form and heatmap.
+    #[serde(default)]
+    pub yardstick: bool,
     /// Whether it did its work.
     pub status: Status,
     /// What building took.
@@ -95,8 +99,16 @@ pub struct Shape {
     /// primitive test costs 1.
     pub sah_cost: Option<f64>,
     /// End-point overlap (Aila, Karras, Laine: *On quality metrics of bounding volume
-    /// hierarchies*, HPG 2013), for trees.
+    /// hierarchies*, HPG 2013), for trees over meshes: what a ray that ends on a surface pays in
+    /// boxes that the surface does not belong to, at the costs of `sah_cost`.
     pub epo: Option<f64>,
+    /// The standard error of `epo`; absent if it was computed from all triangles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub epo_standard_error: Option<f64>,
+    /// The triangles that `epo` was estimated from, chosen by area and by the seed of the run;
+    /// absent if it was computed from all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub epo_samples: Option<u64>,
 }
 
 /// A round of the time to the picture.

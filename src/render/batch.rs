@@ -3,13 +3,16 @@
 use glam::Vec3;
 
 use crate::accel::Tracer;
-use crate::math::{Color, Hit, Random, Ray, hash_u64};
-use crate::scene::{Camera, Scene, Surface};
+use crate::math::{Color, Hit, Ray, hash_u64};
+use crate::scene::{Light, Scene, Surface};
 
-use super::light_samples::{LightSamples, PixelOrder};
+use super::finish::Finish;
+use super::light_samples::{Dealt, LightSamples};
 use super::optics::{mirror, refract};
 use super::shadows::Shadows;
-use super::{Observer, RayClass, RenderStats, Settings};
+use super::times::Stopwatch;
+use super::view_rays::{Pixel, ViewRays};
+use super::{Observer, RayClass, RenderStats, Settings, Stage};
 
 /// A way of light from a surface to the eye that is being followed backwards.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +26,7 @@ pub(super) struct Path {
 }
 
 /// A path that has hit something.
+#[derive(Clone, Copy)]
 pub(super) struct Shaded {
     pub(super) path: Path,
     pub(super) surface: Surface,
@@ -32,41 +36,33 @@ pub(super) struct Shaded {
     pub(super) origin: Vec3,
 }
 
-/// A pixel's sample in a batch.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ViewSample {
-    /// Column from the left in the whole picture.
-    pub(super) x: u32,
-    /// Row from the top in the whole picture.
-    pub(super) y: u32,
-    /// Number of the sample in its pixel.
-    pub(super) number: u32,
-}
-
 /// What all batches of a rendering share.
 pub(super) struct Context<'a> {
     pub(super) scene: &'a Scene,
     pub(super) tracer: &'a dyn Tracer,
     pub(super) observer: &'a dyn Observer,
     pub(super) settings: &'a Settings,
-    pub(super) camera: Camera,
+    pub(super) view_rays: ViewRays,
     pub(super) light_samples: LightSamples,
+    /// The scene's materials, in its order.
+    pub(super) finishes: Vec<Finish>,
     pub(super) transparent: bool,
     pub(super) count: bool,
 }
 
 /// The buffers of a batch; made once a thread and used again.
-#[derive(Default)]
 pub(super) struct Batch {
     pub(super) stats: RenderStats,
+    /// Of which pixels all samples are followed.
+    pub(super) pixels: Vec<Pixel>,
+    /// The colours of the samples, pixel by pixel.
     pub(super) colors: Vec<Color>,
     pub(super) shaded: Vec<Shaded>,
-    pub(super) samples: Vec<ViewSample>,
-    /// The light samples of the pixels of the batch, and which of them each sample belongs to.
-    pub(super) pixel_orders: Vec<PixelOrder>,
-    pub(super) pixel_of_sample: Vec<u32>,
+    /// For each light, the samples that go to each view sample.
+    pub(super) dealt: Vec<Dealt>,
+    stopwatch: Stopwatch,
     hits: Vec<Hit>,
-    waves: [Wave; 3],
+    waves: [Wave; 5],
     shadows: Shadows,
 }
 
@@ -94,12 +90,25 @@ impl Wave {
 const LEAST_WEIGHT: f32 = 1.0 / 16_384.0;
 
 impl Batch {
-    /// Computes the colours of some samples, into `self.colors`.
+    /// Buffers for a scene of some number of lights. Time counts from now on.
+    pub(super) fn new(lights: usize) -> Self {
+        Self {
+            stats: RenderStats::default(),
+            pixels: Vec::new(),
+            colors: Vec::new(),
+            shaded: Vec::new(),
+            dealt: std::iter::repeat_with(Dealt::default).take(lights).collect(),
+            stopwatch: Stopwatch::start(),
+            hits: Vec::new(),
+            waves: Default::default(),
+            shadows: Shadows::default(),
+        }
+    }
+
+    /// Computes the colours of all samples of `self.pixels`, into `self.colors`.
     pub(super) fn run(&mut self, context: &Context<'_>) {
-        self.colors.clear();
-        self.colors.resize(self.samples.len(), Color::ZERO);
-        let [mut view, mut mirrored, mut refracted] = std::mem::take(&mut self.waves);
-        let [mut next_mirrored, mut next_refracted] = <[Wave; 2]>::default();
+        let [mut view, mut mirrored, mut refracted, mut next_mirrored, mut next_refracted] =
+            std::mem::take(&mut self.waves);
         self.send_view_rays(context, &mut view);
         for bounce in 0..=context.settings.max_recursion {
             let goes_on = bounce < context.settings.max_recursion;
@@ -113,58 +122,93 @@ impl Batch {
                 }
                 self.find(context, class, wave);
                 wave.clear();
-                self.add_ambient_light(context);
                 self.shadows_of_all_lights(context);
                 if goes_on {
                     self.continue_paths(context, &mut next_mirrored, &mut next_refracted);
+                    self.lap(Stage::MakingRays);
                 }
             }
             std::mem::swap(&mut mirrored, &mut next_mirrored);
             std::mem::swap(&mut refracted, &mut next_refracted);
         }
-        self.waves = [view, mirrored, refracted];
+        // Where the bounces ended, the rays of the next one were never made.
+        self.waves = [view, mirrored, refracted, next_mirrored, next_refracted];
+    }
+
+    /// Gives the time since the last lap to a stage.
+    pub(super) fn lap(&mut self, stage: Stage) {
+        self.stats.thread_times.add(stage, self.stopwatch.lap());
+    }
+
+    /// Traces rays, counts them, and takes the time.
+    pub(super) fn intersect(
+        &mut self,
+        context: &Context<'_>,
+        class: RayClass,
+        rays: &[Ray],
+        hits: &mut [Hit],
+    ) {
+        context.observer.rays_sent(class, rays);
+        let stats = self.stats.class_mut(class);
+        context.tracer.intersect(rays, hits, context.count.then_some(&mut stats.tests));
+        stats.rays += rays.len() as u64;
+        stats.hits += hits.iter().filter(|hit| hit.is_hit()).count() as u64;
+        self.lap(Stage::Tracing(class));
+    }
+
+    /// As [`intersect`](Self::intersect), for shadow rays.
+    pub(super) fn occluded(&mut self, context: &Context<'_>, rays: &[Ray], blocked: &mut [bool]) {
+        context.observer.rays_sent(RayClass::Shadow, rays);
+        let stats = self.stats.class_mut(RayClass::Shadow);
+        context.tracer.occluded(rays, blocked, context.count.then_some(&mut stats.tests));
+        stats.rays += rays.len() as u64;
+        stats.hits += blocked.iter().filter(|&&blocked| blocked).count() as u64;
+        self.lap(Stage::Tracing(RayClass::Shadow));
     }
 
     fn send_view_rays(&mut self, context: &Context<'_>, wave: &mut Wave) {
         wave.clear();
-        for (index, sample) in self.samples.iter().enumerate() {
-            let number = u64::from(sample.number);
-            let key = Random::new(&[context.settings.seed, sample.pixel_key(), number]).next_u64();
-            let path = Path { sample: index as u32, weight: Color::ONE, key };
-            wave.push(sample.ray(context, key), path);
+        for &pixel in &self.pixels {
+            for (key, ray) in context.view_rays.of_pixel(pixel) {
+                let sample = wave.rays.len() as u32;
+                wave.push(ray, Path { sample, weight: Color::ONE, key });
+            }
         }
+        self.colors.clear();
+        self.colors.resize(wave.rays.len(), Color::ZERO);
+        let lights = context.scene.lights.iter().zip(&mut self.dealt).enumerate();
+        // Point lights need no samples.
+        for (light, (_, dealt)) in lights.filter(|(_, (l, _))| matches!(l, Light::Area { .. })) {
+            dealt.clear();
+            for &pixel in &self.pixels {
+                context.light_samples.deal(pixel.key(), light, dealt);
+            }
+        }
+        self.lap(Stage::MakingRays);
     }
 
-    /// Traces a wave: misses see the background, hits become `self.shaded`.
+    /// Traces a wave: misses see the background, hits become `self.shaded`, lit by ambient light.
     fn find(&mut self, context: &Context<'_>, class: RayClass, wave: &Wave) {
-        let rays = &wave.rays;
-        self.hits.clear();
-        self.hits.resize(rays.len(), Hit::MISS);
-        let stats = self.stats.class_mut(class);
-        let counts = context.count.then_some(&mut stats.tests);
-        context.observer.rays_sent(class, rays);
-        context.tracer.intersect(rays, &mut self.hits, counts);
-        stats.rays += rays.len() as u64;
+        let mut hits = std::mem::take(&mut self.hits);
+        let count = wave.rays.len();
+        if hits.len() < count {
+            hits.resize(count, Hit::MISS);
+        }
+        self.intersect(context, class, &wave.rays, &mut hits[..count]);
         self.shaded.clear();
-        for ((ray, hit), path) in rays.iter().zip(&self.hits).zip(&wave.paths) {
-            if hit.is_hit() {
+        for ((ray, hit), path) in wave.rays.iter().zip(&hits).zip(&wave.paths) {
+            let seen = if hit.is_hit() {
                 let surface = context.scene.surface(ray, hit);
                 let origin = surface.origin_outside();
                 self.shaded.push(Shaded { path: *path, surface, dir: ray.dir.normalize(), origin });
+                context.finishes[surface.material].ambient
             } else {
-                let seen = path.weight * context.scene.options.background;
-                self.colors[path.sample as usize] += seen;
-            }
+                context.scene.options.background
+            };
+            self.colors[path.sample as usize] += path.weight * seen;
         }
-        stats.hits += self.shaded.len() as u64;
-    }
-
-    fn add_ambient_light(&mut self, context: &Context<'_>) {
-        for shaded in &self.shaded {
-            let material = &context.scene.materials[shaded.surface.material];
-            let ambient = material.alpha * material.ambient_light * material.reflectance;
-            self.colors[shaded.path.sample as usize] += shaded.path.weight * ambient;
-        }
+        self.hits = hits;
+        self.lap(Stage::Shading);
     }
 
     fn shadows_of_all_lights(&mut self, context: &Context<'_>) {
@@ -181,17 +225,19 @@ impl Batch {
     /// clear medium, where Fresnel's equations part it into what is mirrored and what goes through.
     fn continue_paths(&self, context: &Context<'_>, mirrored: &mut Wave, refracted: &mut Wave) {
         for shaded in &self.shaded {
-            let material = &context.scene.materials[shaded.surface.material];
-            let clear = (Color::ONE - material.specular).max(Color::ZERO) * (1.0 - material.alpha);
-            let mut mirror_share = material.specular;
-            if clear.max_element() > 0.0 {
+            let finish = &context.finishes[shaded.surface.material];
+            if !finish.goes_on() {
+                continue;
+            }
+            let mut mirror_share = finish.specular;
+            if finish.clear.max_element() > 0.0 {
                 let inside = shaded.surface.from_inside;
-                let index = material.refractive_index;
+                let index = finish.refractive_index;
                 let eta = if inside { index } else { 1.0 / index };
                 let border = refract(shaded.dir, shaded.surface.normal, eta);
-                mirror_share += border.reflected * clear;
+                mirror_share += border.reflected * finish.clear;
                 if let Some(dir) = border.dir {
-                    let through = (1.0 - border.reflected) * clear;
+                    let through = (1.0 - border.reflected) * finish.clear;
                     if let Some(path) = shaded.path.continued(through, 2) {
                         refracted.push(shaded.through(dir), path);
                     }
@@ -201,27 +247,6 @@ impl Batch {
                 mirrored.push(shaded.mirrored(), path);
             }
         }
-    }
-}
-
-impl ViewSample {
-    /// What a pixel's random numbers depend on.
-    pub(super) fn pixel_key(&self) -> u64 {
-        u64::from(self.y) << 32 | u64::from(self.x)
-    }
-
-    /// The ray through the sample's place in the pixel: its centre, or a random place in the
-    /// sample's cell of n × n.
-    fn ray(&self, context: &Context<'_>, key: u64) -> Ray {
-        let row_from_bottom = f64::from(context.settings.height - 1 - self.y);
-        let (mut i, mut j) = (f64::from(self.x), row_from_bottom);
-        let n = context.settings.aa;
-        if n > 0 {
-            let [dx, dy] = Random::new(&[key]).next_pair().map(f64::from);
-            i += (f64::from(self.number % n) + dx) / f64::from(n) - 0.5;
-            j += (f64::from(self.number / n) + dy) / f64::from(n) - 0.5;
-        }
-        context.camera.ray(i, j)
     }
 }
 

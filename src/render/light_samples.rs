@@ -22,28 +22,41 @@ const TABLES: u64 = 32;
 const TABLE_STREAM: u64 = 0x7461_626C;
 const ORDER_STREAM: u64 = 0x6F72_6465;
 
-/// The samples of a rendering.
-pub(super) struct LightSamples {
+/// The samples of area lights for a rendering.
+pub struct LightSamples {
     sampling: Sampling,
     seed: u64,
     view_side: usize,
     light_side: usize,
-    /// Each table block-wise apart: the m × m points of view sample 0, then of view sample 1, …
-    tables: Vec<Vec<[f32; 2]>>,
+    /// The tables one behind the other, each block-wise apart: the m × m points of view sample 0,
+    /// then of view sample 1, …
+    tables: Vec<[f32; 2]>,
 }
 
-/// The samples of all lights for one pixel.
-pub(super) struct PixelOrder {
-    /// For each light: its table, and the place in a block of each view sample.
-    lights: Vec<(usize, Vec<u32>)>,
+/// The samples of one light that are dealt to the view samples of a batch.
+#[derive(Default)]
+pub struct Dealt {
+    /// For each view sample, where in the tables its points begin; empty if they are made on the
+    /// fly.
+    firsts: Vec<u32>,
+}
+
+impl Dealt {
+    /// Forgets what was dealt.
+    pub fn clear(&mut self) {
+        self.firsts.clear();
+    }
 }
 
 impl LightSamples {
-    pub(super) fn new(sampling: Sampling, seed: u64, aa: u32, light_samples: u32) -> Self {
+    /// Makes what a method makes once: for aa × aa view samples a pixel, each of which takes
+    /// light_samples × light_samples points of each area light. 0 is taken as 1.
+    #[must_use]
+    pub fn new(sampling: Sampling, seed: u64, aa: u32, light_samples: u32) -> Self {
         let (view_side, light_side) = (aa.max(1) as usize, light_samples.max(1) as usize);
         let tables = match sampling {
             Sampling::Shuffled => (0..TABLES)
-                .map(|i| {
+                .flat_map(|i| {
                     let mut random = Random::new(&[seed, TABLE_STREAM, i]);
                     let table = jittered(view_side * light_side, &mut random);
                     dealt(&table, view_side, light_side)
@@ -55,46 +68,44 @@ impl LightSamples {
     }
 
     /// Samples a view sample takes of each area light.
-    pub(super) fn per_view_sample(&self) -> usize {
+    #[must_use]
+    pub fn per_view_sample(&self) -> usize {
         self.light_side * self.light_side
     }
 
-    /// The tables and orders of a pixel, for `lights` lights.
-    pub(super) fn pixel(&self, pixel: u64, lights: usize) -> PixelOrder {
-        let lights = match self.sampling {
-            Sampling::Shuffled => (0..lights as u64).map(|l| self.order(pixel, l)).collect(),
-            Sampling::Independent => Vec::new(),
-        };
-        PixelOrder { lights }
-    }
-
-    /// A table, and the view samples in random order (Fisher-Yates).
-    fn order(&self, pixel: u64, light: u64) -> (usize, Vec<u32>) {
-        let mut random = Random::new(&[self.seed, ORDER_STREAM, pixel, light]);
-        let table = random.below(TABLES as u32) as usize;
-        let mut order: Vec<u32> = (0..(self.view_side * self.view_side) as u32).collect();
+    /// Deals samples of a light to the view samples of a pixel, behind those of the pixels before:
+    /// a table, in a random order (Fisher-Yates).
+    pub fn deal(&self, pixel: u64, light: usize, dealt: &mut Dealt) {
+        if self.sampling == Sampling::Independent {
+            return;
+        }
+        let mut random = Random::new(&[self.seed, ORDER_STREAM, pixel, light as u64]);
+        let views = self.view_side * self.view_side;
+        let table = random.below(TABLES as u32) * (views * self.per_view_sample()) as u32;
+        let before = dealt.firsts.len();
+        let places = 0..views as u32;
+        dealt.firsts.extend(places.map(|place| table + place * self.per_view_sample() as u32));
+        let order = &mut dealt.firsts[before..];
         for last in (1..order.len()).rev() {
             order.swap(last, random.below(last as u32 + 1) as usize);
         }
-        (table, order)
     }
 
-    /// The samples of one light for one path: `key` belongs to the path, `hint` is the number of
-    /// its view sample in the pixel. `buffer` holds them if they are made on the fly.
-    pub(super) fn points<'a>(
+    /// The samples of one light for one path: `key` belongs to the path, `sample` is its view
+    /// sample in the batch. `buffer` holds them if they are made on the fly.
+    #[inline]
+    pub fn points<'a>(
         &'a self,
-        pixel: &PixelOrder,
+        dealt: &Dealt,
         light: usize,
-        hint: u32,
+        sample: usize,
         key: u64,
         buffer: &'a mut Vec<[f32; 2]>,
     ) -> &'a [[f32; 2]] {
         match self.sampling {
             Sampling::Shuffled => {
-                let (table, order) = &pixel.lights[light];
-                let count = self.per_view_sample();
-                let first = order[hint as usize] as usize * count;
-                &self.tables[*table][first..first + count]
+                let first = dealt.firsts[sample] as usize;
+                &self.tables[first..first + self.per_view_sample()]
             }
             Sampling::Independent => {
                 buffer.clear();
@@ -141,11 +152,12 @@ mod tests {
 
     /// All samples that a pixel takes of light 0.
     fn samples_of_pixel(samples: &LightSamples, pixel: u64, views: u32) -> Vec<Vec<[f32; 2]>> {
-        let order = samples.pixel(pixel, 1);
-        (0..views)
+        let mut dealt = Dealt::default();
+        samples.deal(pixel, 0, &mut dealt);
+        (0..views as usize)
             .map(|view| {
-                let key = u64::from(view) + 100 * pixel;
-                samples.points(&order, 0, view, key, &mut Vec::new()).to_vec()
+                let key = view as u64 + 100 * pixel;
+                samples.points(&dealt, 0, view, key, &mut Vec::new()).to_vec()
             })
             .collect()
     }

@@ -9,18 +9,23 @@
 
 mod batch;
 mod color_map;
+mod finish;
+mod incidence;
 mod light_samples;
 mod observer;
 mod optics;
 mod settings;
-mod shading;
 mod shadows;
 mod stats;
 mod tiles;
+mod times;
+mod view_rays;
 mod views;
 
-pub use color_map::{Scale, heat_picture};
+pub use color_map::{Scale, Spacing, heat_picture};
+pub use light_samples::{Dealt, LightSamples};
 pub use observer::{Observer, Silent};
 pub use settings::{Crop, Sampling, Settings, View};
 pub use stats::{ClassStats, RayClass, RenderStats};
 pub use tiles::{Rendering, Sight, render};
+pub use times::{Stage, StageTimes};

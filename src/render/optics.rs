@@ -1,6 +1,6 @@
 //! Mirrors and refraction: directions and shares.
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
 /// The mirror direction of a direction `dir` at a surface with unit normal `normal`.
 #[inline]
@@ -39,25 +39,49 @@ pub(super) fn refract(dir: Vec3, normal: Vec3, eta: f32) -> Refraction {
     Refraction { reflected: reflected.clamp(0.0, 1.0), dir: Some(dir) }
 }
 
-/// `base` to the power of `exponent`, for 0 ≤ base ≤ 1 and exponent ≥ 0.
+/// The exponent of a highlight.
 ///
-/// Whole exponents, which nearly all scenes use, are multiplied out; others go through `libm`. The
+/// Whole ones, which nearly all scenes use, are multiplied out; others go through `libm`. The
 /// result is the same on every machine, which the C library's power is not.
-#[inline]
-pub(super) fn power(base: f32, exponent: f32) -> f32 {
-    const LARGEST_WHOLE: f32 = 4096.0;
-    if exponent.fract() != 0.0 || exponent > LARGEST_WHOLE {
-        return libm::powf(base, exponent);
-    }
-    let (mut rest, mut square, mut product) = (exponent as u32, base, 1.0);
-    while rest > 0 {
-        if rest & 1 == 1 {
-            product *= square;
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Exponent {
+    /// A whole number.
+    Whole(u32),
+    /// Any other, and large ones.
+    Other(f32),
+}
+
+impl Exponent {
+    /// The exponent `exponent` ≥ 0.
+    pub(super) fn new(exponent: f32) -> Self {
+        const LARGEST_WHOLE: f32 = 4096.0;
+        if exponent.fract() != 0.0 || exponent > LARGEST_WHOLE {
+            Self::Other(exponent)
+        } else {
+            Self::Whole(exponent as u32)
         }
-        square *= square;
-        rest >>= 1;
     }
-    product
+
+    /// Four bases between 0 and 1 to this power; lanes without a bit in `lanes` may hold anything.
+    #[inline]
+    pub(super) fn power(self, bases: Vec4, lanes: u32) -> Vec4 {
+        match self {
+            Self::Whole(mut rest) => {
+                let (mut square, mut product) = (bases, Vec4::ONE);
+                while rest > 0 {
+                    if rest & 1 == 1 {
+                        product *= square;
+                    }
+                    square *= square;
+                    rest >>= 1;
+                }
+                product
+            }
+            Self::Other(exponent) => Vec4::from_array(std::array::from_fn(|lane| {
+                if lanes >> lane & 1 == 1 { libm::powf(bases[lane], exponent) } else { 0.0 }
+            })),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -120,7 +144,8 @@ mod tests {
             [(0.5, 3.0), (0.9, 100.0), (0.99, 2.5), (0.0, 0.0), (0.0, 5.0), (1.0, 9.0)]
         {
             let expected = f64::from(base).powf(f64::from(exponent));
-            assert!((f64::from(power(base, exponent)) - expected).abs() < 1e-6);
+            let powers = Exponent::new(exponent).power(Vec4::splat(base), 0b0100);
+            assert!((f64::from(powers[2]) - expected).abs() < 1e-6);
         }
     }
 }

@@ -4,7 +4,8 @@ use std::fmt;
 
 use crate::scene::Scene;
 
-/// How area lights are sampled.
+/// How area lights are sampled. The default leaves less noise in the same time by the study in
+/// `docs/sampling.md`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sampling {
     /// Jittered samples that are made once, shuffled for each pixel and light, and dealt out to

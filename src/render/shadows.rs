@@ -2,13 +2,12 @@
 
 use glam::Vec3;
 
-use crate::description::Material;
-use crate::math::{Color, Hit, Ray};
+use crate::math::{Hit, Ray};
 use crate::scene::Light;
 
-use super::RayClass;
-use super::batch::{Batch, Context, Shaded};
-use super::shading::LightSum;
+use super::batch::{Batch, Context};
+use super::incidence::{Incidence, LANES, LightPlane, Receiver};
+use super::{RayClass, Stage};
 
 /// Shadow rays asked together: few enough to stay in a core's cache.
 const RAYS_AT_ONCE: usize = 4096;
@@ -20,12 +19,14 @@ const LEAST_SHARE: f32 = 1.0 / 16_384.0;
 #[derive(Default)]
 pub(super) struct Shadows {
     rays: Vec<Ray>,
+    /// What light along each ray adds, if all of it arrives: see [`Incidence`].
+    diffuse: Vec<f32>,
+    specular: Vec<f32>,
     /// Which of the wave's surfaces the rays leave, and how many rays each, in order.
     owners: Vec<(u32, u32)>,
     blocked: Vec<bool>,
     /// The share of the light that arrives along each ray.
     shares: Vec<f32>,
-    sums: Vec<LightSum>,
     points: Vec<[f32; 2]>,
     walk: Walk,
 }
@@ -42,49 +43,51 @@ struct Walk {
 impl Shadows {
     /// Adds the light of one light to the colours of all surfaces of a wave.
     pub(super) fn add_light(&mut self, context: &Context<'_>, light: usize, batch: &mut Batch) {
-        let source = &context.scene.lights[light];
-        self.sums.clear();
-        self.sums.resize(batch.shaded.len(), LightSum::default());
+        let plane = LightPlane::new(&context.scene.lights[light]);
         for index in 0..batch.shaded.len() {
-            self.send(context, light, batch, index);
+            self.send(context, light, &plane, batch, index);
             if self.rays.len() >= RAYS_AT_ONCE {
-                self.arrive(context, batch);
+                self.arrive(context, light, batch);
             }
         }
-        self.arrive(context, batch);
-        let samples = match source {
-            Light::Point { .. } => 1,
-            Light::Area { .. } => context.light_samples.per_view_sample(),
-        };
-        for (shaded, sum) in batch.shaded.iter().zip(&self.sums) {
-            let material = &context.scene.materials[shaded.surface.material];
-            let color = sum.color(material, source.color(), samples);
-            batch.colors[shaded.path.sample as usize] += shaded.path.weight() * color;
-        }
+        self.arrive(context, light, batch);
     }
 
     /// Puts the rays from one surface to one light into the buffer.
-    fn send(&mut self, context: &Context<'_>, light: usize, batch: &Batch, index: usize) {
+    fn send(
+        &mut self,
+        context: &Context<'_>,
+        light: usize,
+        plane: &LightPlane,
+        batch: &Batch,
+        index: usize,
+    ) {
         let shaded = &batch.shaded[index];
-        let material = &context.scene.materials[shaded.surface.material];
+        let receiver = Receiver::new(shaded, &context.finishes[shaded.surface.material]);
+        let samples = match context.scene.lights[light] {
+            Light::Point { .. } => &[[0.0; 2]],
+            Light::Area { .. } => context.light_samples.points(
+                &batch.dealt[light],
+                light,
+                shaded.path.sample as usize,
+                shaded.path.key,
+                &mut self.points,
+            ),
+        };
         let before = self.rays.len();
-        match context.scene.lights[light] {
-            Light::Point { position, .. } => {
-                self.rays.extend(shadow_ray(shaded, material, position));
-            }
-            Light::Area { corner, side_u, side_v, .. } => {
-                let sample = shaded.path.sample as usize;
-                let points = context.light_samples.points(
-                    &batch.pixel_orders[batch.pixel_of_sample[sample] as usize],
-                    light,
-                    batch.samples[sample].number,
-                    shaded.path.key,
-                    &mut self.points,
-                );
-                self.rays.reserve(points.len());
-                self.rays.extend(points.iter().filter_map(|&[u, v]| {
-                    shadow_ray(shaded, material, corner + u * side_u + v * side_v)
-                }));
+        for samples in samples.chunks(LANES) {
+            let incidence = receiver.light(plane, samples);
+            let rays = shadow_rays(shaded.origin, &incidence);
+            if incidence.lanes == (1 << LANES) - 1 {
+                self.rays.extend_from_slice(&rays);
+                self.diffuse.extend_from_slice(&incidence.diffuse.to_array());
+                self.specular.extend_from_slice(&incidence.specular.to_array());
+            } else {
+                for lane in (0..LANES).filter(|lane| incidence.lanes >> lane & 1 == 1) {
+                    self.rays.push(rays[lane]);
+                    self.diffuse.push(incidence.diffuse[lane]);
+                    self.specular.push(incidence.specular[lane]);
+                }
             }
         }
         let sent = self.rays.len() - before;
@@ -93,58 +96,84 @@ impl Shadows {
         }
     }
 
-    /// Traces the buffered rays and adds what arrives to the sums of their surfaces.
-    fn arrive(&mut self, context: &Context<'_>, batch: &mut Batch) {
+    /// Traces the buffered rays and adds what arrives to the colours.
+    fn arrive(&mut self, context: &Context<'_>, light: usize, batch: &mut Batch) {
+        batch.lap(Stage::MakingRays);
+        if self.rays.is_empty() {
+            return;
+        }
         self.find_shares(context, batch);
+        let (samples, color) = match context.scene.lights[light] {
+            Light::Point { color, .. } => (1, color),
+            Light::Area { color, .. } => (context.light_samples.per_view_sample(), color),
+        };
+        let color = color / samples as f32;
         let mut first = 0;
         for &(owner, count) in &self.owners {
             let shaded = &batch.shaded[owner as usize];
-            let material = &context.scene.materials[shaded.surface.material];
+            let finish = &context.finishes[shaded.surface.material];
             let range = first..first + count as usize;
             first = range.end;
-            // A surface with many samples may arrive in parts: each goes on with the same sum.
-            let dirs = self.rays[range.clone()].iter().map(|ray| &ray.dir);
-            let arriving = dirs.zip(&self.shares[range]);
-            let mut sum = self.sums[owner as usize];
-            sum.add(material, shaded.surface.normal, shaded.dir, arriving);
-            self.sums[owner as usize] = sum;
+            let shares = &self.shares[range.clone()];
+            let mut sent = weighted_sum(&self.diffuse[range.clone()], shares) * finish.diffuse;
+            if finish.shines {
+                sent += weighted_sum(&self.specular[range], shares) * finish.specular;
+            }
+            batch.colors[shaded.path.sample as usize] += shaded.path.weight() * color * sent;
         }
         self.rays.clear();
+        self.diffuse.clear();
+        self.specular.clear();
         self.owners.clear();
+        batch.lap(Stage::Shading);
     }
 
     fn find_shares(&mut self, context: &Context<'_>, batch: &mut Batch) {
+        let count = self.rays.len();
         self.shares.clear();
         if context.transparent {
-            self.shares.resize(self.rays.len(), 1.0);
+            self.shares.resize(count, 1.0);
             self.walk.run(context, batch, &self.rays, &mut self.shares);
             return;
         }
-        self.blocked.clear();
-        self.blocked.resize(self.rays.len(), false);
-        let stats = batch.stats.class_mut(RayClass::Shadow);
-        let counts = context.count.then_some(&mut stats.tests);
-        context.observer.rays_sent(RayClass::Shadow, &self.rays);
-        context.tracer.occluded(&self.rays, &mut self.blocked, counts);
-        self.shares.extend(self.blocked.iter().map(|&blocked| f32::from(u8::from(!blocked))));
-        stats.rays += self.rays.len() as u64;
-        stats.hits += self.blocked.iter().filter(|&&blocked| blocked).count() as u64;
+        if self.blocked.len() < count {
+            self.blocked.resize(count, false);
+        }
+        let blocked = &mut self.blocked[..count];
+        batch.occluded(context, &self.rays, blocked);
+        self.shares.extend(blocked.iter().map(|&blocked| f32::from(u8::from(!blocked))));
     }
 }
 
-/// The ray from a surface to a point of a light, unless the answer is known: an opaque surface is
-/// in its own shadow on the side away from the light, and light that falls from behind the shading
-/// normal on a surface without highlights adds nothing.
+/// The rays to the four points, whether or not light may arrive from them. Only what lies between
+/// the surface and the point counts; the surface itself is left behind by where the rays start.
+#[inline(always)]
+fn shadow_rays(origin: Vec3, incidence: &Incidence) -> [Ray; LANES] {
+    let [x, y, z] = incidence.to_light.map(|row| row.to_array());
+    std::array::from_fn(|lane| Ray {
+        origin,
+        t_min: 0.0,
+        dir: Vec3::new(x[lane], y[lane], z[lane]),
+        t_max: 1.0f32.next_down(),
+    })
+}
+
+/// Σ value · share, in four sums of every fourth product, which are added up in the end: an order
+/// that depends on nothing but the number of values.
 #[inline]
-fn shadow_ray(shaded: &Shaded, material: &Material, light: Vec3) -> Option<Ray> {
-    let to_light = light - shaded.origin;
-    let surface = &shaded.surface;
-    let hidden = material.alpha >= 1.0 && surface.geometric_normal.dot(to_light) <= 0.0;
-    let dark = material.specular == Color::ZERO && surface.normal.dot(to_light) <= 0.0;
-    // Only what lies between the point and the light counts. The surface itself is left behind by
-    // where the ray starts.
-    let t_max = 1.0f32.next_down();
-    (!(hidden || dark)).then_some(Ray { origin: shaded.origin, t_min: 0.0, dir: to_light, t_max })
+fn weighted_sum(values: &[f32], shares: &[f32]) -> f32 {
+    let mut sums = [0.0; LANES];
+    let (rows, rest) = values.as_chunks::<LANES>();
+    let (row_shares, rest_shares) = shares.as_chunks::<LANES>();
+    for (row, shares) in rows.iter().zip(row_shares) {
+        for lane in 0..LANES {
+            sums[lane] += row[lane] * shares[lane];
+        }
+    }
+    for ((sum, value), share) in sums.iter_mut().zip(rest).zip(rest_shares) {
+        *sum += value * share;
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3])
 }
 
 impl Walk {
@@ -158,12 +187,7 @@ impl Walk {
         while !self.rays.is_empty() {
             self.hits.clear();
             self.hits.resize(self.rays.len(), Hit::MISS);
-            let stats = batch.stats.class_mut(RayClass::Shadow);
-            let counts = context.count.then_some(&mut stats.tests);
-            context.observer.rays_sent(RayClass::Shadow, &self.rays);
-            context.tracer.intersect(&self.rays, &mut self.hits, counts);
-            stats.rays += self.rays.len() as u64;
-            stats.hits += self.hits.iter().filter(|hit| hit.is_hit()).count() as u64;
+            batch.intersect(context, RayClass::Shadow, &self.rays, &mut self.hits);
             self.dim_and_keep(context, shares);
         }
     }
@@ -179,7 +203,7 @@ impl Walk {
             let index = self.indices[i];
             let object = &context.scene.objects[hit.object as usize];
             let share = &mut shares[index as usize];
-            *share *= 1.0 - context.scene.materials[object.material].alpha;
+            *share *= context.finishes[object.material].transparency;
             if *share < LEAST_SHARE {
                 *share = 0.0;
             } else {
@@ -192,5 +216,20 @@ impl Walk {
         }
         self.rays.truncate(kept);
         self.indices.truncate(kept);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_are_weighted_and_whole() {
+        let values: Vec<f32> = (1..=11u8).map(f32::from).collect();
+        for count in 0..=values.len() {
+            let shares: Vec<f32> = (0..count).map(|i| [1.0, 0.0, 0.5][i % 3]).collect();
+            let expected: f32 = values.iter().zip(&shares).map(|(v, s)| v * s).sum();
+            assert_eq!(weighted_sum(&values[..count], &shares), expected, "{count}");
+        }
     }
 }

@@ -4,6 +4,8 @@ use std::time::Duration;
 
 use crate::counters::Counts;
 
+use super::StageTimes;
+
 /// What a ray is sent for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayClass {
@@ -48,6 +50,8 @@ pub struct ClassStats {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RenderStats {
     classes: [ClassStats; 4],
+    /// What the threads spent their time on.
+    pub thread_times: StageTimes,
     /// Wall time of the rendering, the structure's build excluded.
     pub time: Duration,
 }
@@ -86,5 +90,6 @@ impl RenderStats {
             sum.hits += class.hits;
             sum.tests += class.tests;
         }
+        self.thread_times.merge(&other.thread_times);
     }
 }

@@ -1,18 +1,21 @@
 //! The picture in tiles: threads take them, batches render them.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 
 use crate::accel::Tracer;
 use crate::image_io::Picture;
 use crate::math::Color;
 use crate::scene::Scene;
 
-use super::batch::{Batch, Context, ViewSample};
+use super::batch::{Batch, Context};
+use super::finish::Finish;
 use super::light_samples::LightSamples;
+use super::view_rays::{Pixel, ViewRays};
 use super::views::render_view;
-use super::{Crop, Observer, RenderStats, Settings, View};
+use super::{Crop, Observer, RenderStats, Settings, Stage, View};
 
 /// Side of a tile in pixels.
 const TILE: u32 = 16;
@@ -70,23 +73,43 @@ pub fn render(
         tracer,
         observer,
         settings,
-        camera: scene.camera.resized(settings.width, settings.height),
+        view_rays: ViewRays::new(scene.camera.resized(settings.width, settings.height), settings),
         light_samples: LightSamples::new(
             settings.sampling,
             settings.seed,
             settings.aa,
             settings.light_samples,
         ),
+        finishes: scene.materials.iter().map(Finish::new).collect(),
         transparent: scene.has_transparency(),
         count: settings.count || settings.view == View::Heatmap,
     };
     let tiles = tiles_of(region);
-    let rendered: Vec<Option<Tile>> = tiles
-        .par_iter()
-        .with_max_len(1)
-        .map_init(Batch::default, |batch, &area| render_tile(&context, batch, area))
-        .collect();
+    let rendered = render_tiles(&context, &tiles);
     assemble(settings, region, &tiles, rendered, start)
+}
+
+/// Renders tiles on all threads: each takes the next one that nobody has taken, with buffers of its
+/// own. Tiles that were not rendered are `None`.
+fn render_tiles(context: &Context<'_>, tiles: &[Crop]) -> Vec<Option<Tile>> {
+    let next = AtomicUsize::new(0);
+    let take = |_| {
+        let mut batch = Batch::new(context.scene.lights.len());
+        let mut done = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(&area) = tiles.get(index) else { return done };
+            let Some(tile) = render_tile(context, &mut batch, area) else { return done };
+            done.push((index, tile));
+        }
+    };
+    let threads = rayon::current_num_threads();
+    let parts: Vec<_> = (0..threads).into_par_iter().with_max_len(1).map(take).collect();
+    let mut rendered: Vec<Option<Tile>> = tiles.iter().map(|_| None).collect();
+    for (index, tile) in parts.into_iter().flatten() {
+        rendered[index] = Some(tile);
+    }
+    rendered
 }
 
 /// The pixels of a tile, row by row, and the statistics of its rays.
@@ -114,21 +137,37 @@ fn render_tile(context: &Context<'_>, batch: &mut Batch, area: Crop) -> Option<T
         return None;
     }
     batch.stats = RenderStats::default();
-    let pixels = match context.settings.view {
-        View::Color => colors_of(context, batch, area, SAMPLES_AT_ONCE, |_, color| color),
-        View::Heatmap => heat_of(context, batch, area),
-        view => render_view(context, batch, area, view),
+    let order = pixels_of(area);
+    let colors = match context.settings.view {
+        View::Color => colors_of(context, batch, &order, SAMPLES_AT_ONCE, |_, color| color),
+        View::Heatmap => heat_of(context, batch, &order),
+        view => render_view(context, batch, &order, view),
     };
+    let mut pixels = vec![Color::ZERO; colors.len()];
+    for (pixel, color) in order.iter().zip(colors) {
+        pixels[((pixel.y - area.y0) * area.width() + (pixel.x - area.x0)) as usize] = color;
+    }
+    batch.lap(Stage::Rest);
     let stats = batch.stats.clone();
     context.observer.tile_done(pixels.len() as u64, stats.total_rays());
     Some(Tile { pixels, stats })
 }
 
+/// The pixels of a tile along Morton's curve: pixels that follow each other lie in a small square,
+/// whatever their number, and so do the rays through them.
+fn pixels_of(area: Crop) -> Vec<Pixel> {
+    let even_bits = |code: u32| (0..16).fold(0, |bits, i| bits | (code >> (2 * i) & 1) << i);
+    (0..TILE * TILE)
+        .map(|code| Pixel { x: area.x0 + even_bits(code), y: area.y0 + even_bits(code >> 1) })
+        .filter(|pixel| pixel.x < area.x1 && pixel.y < area.y1)
+        .collect()
+}
+
 /// The tests that all rays of each pixel took.
-fn heat_of(context: &Context<'_>, batch: &mut Batch, area: Crop) -> Vec<Color> {
+fn heat_of(context: &Context<'_>, batch: &mut Batch, pixels: &[Pixel]) -> Vec<Color> {
     let mut before = 0;
     let samples = context.settings.samples_per_pixel() as usize;
-    colors_of(context, batch, area, samples, |stats, _| {
+    colors_of(context, batch, pixels, samples, |stats, _| {
         let tests = stats.total_tests();
         let sum = tests.boxes + tests.primitives;
         let own = sum - before;
@@ -137,7 +176,7 @@ fn heat_of(context: &Context<'_>, batch: &mut Batch, area: Crop) -> Vec<Color> {
     })
 }
 
-/// Renders the pixels of an area in batches of at most `at_once` samples, or one pixel.
+/// Renders pixels in batches of at most `at_once` samples, or one pixel.
 ///
 /// A pixel is the mean of its samples, added in their order; a batch's border never matters.
 /// `finish` turns the statistics so far and a pixel's mean into what the pixel shows; it sees each
@@ -145,32 +184,22 @@ fn heat_of(context: &Context<'_>, batch: &mut Batch, area: Crop) -> Vec<Color> {
 fn colors_of(
     context: &Context<'_>,
     batch: &mut Batch,
-    area: Crop,
+    pixels: &[Pixel],
     at_once: usize,
     mut finish: impl FnMut(&RenderStats, Color) -> Color,
 ) -> Vec<Color> {
-    let per_pixel = context.settings.samples_per_pixel();
-    let lights = context.scene.lights.len();
-    let pixels: Vec<(u32, u32)> =
-        (area.y0..area.y1).flat_map(|y| (area.x0..area.x1).map(move |x| (x, y))).collect();
-    let pixels_at_once = (at_once / per_pixel as usize).max(1);
+    let per_pixel = context.settings.samples_per_pixel() as usize;
+    let pixels_at_once = (at_once / per_pixel).max(1);
     let mut colors = Vec::with_capacity(pixels.len());
     for group in pixels.chunks(pixels_at_once) {
-        batch.samples.clear();
-        batch.pixel_orders.clear();
-        batch.pixel_of_sample.clear();
-        for (index, &(x, y)) in group.iter().enumerate() {
-            let samples = (0..per_pixel).map(|number| ViewSample { x, y, number });
-            let key = ViewSample { x, y, number: 0 }.pixel_key();
-            batch.pixel_orders.push(context.light_samples.pixel(key, lights));
-            batch.samples.extend(samples);
-            batch.pixel_of_sample.resize(batch.samples.len(), index as u32);
-        }
+        batch.pixels.clear();
+        batch.pixels.extend_from_slice(group);
         batch.run(context);
-        for samples in batch.colors.chunks(per_pixel as usize) {
+        for samples in batch.colors.chunks(per_pixel) {
             let mean = samples.iter().sum::<Color>() / per_pixel as f32;
             colors.push(finish(&batch.stats, mean));
         }
+        batch.lap(Stage::Rest);
     }
     colors
 }
@@ -210,7 +239,7 @@ fn assemble(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::{Sampling, Scale};
+    use crate::render::{Sampling, Scale, Spacing};
 
     /// Two tiles side by side, the second of which was not rendered.
     fn half_rendered(view: View) -> Rendering {
@@ -238,7 +267,8 @@ mod tests {
             let rendering = half_rendered(view);
             assert!(!rendering.complete);
             let Sight::Field { values, .. } = rendering.sight else { panic!("not a field") };
-            assert_eq!(Scale::of(&values), Some(Scale { low: 5.0, high: 36.0 }));
+            let scale = Scale { low: 5.0, high: 36.0, spacing: Spacing::Linear };
+            assert_eq!(Scale::of(&values), Some(scale));
             assert!(values[16..20].iter().all(|value| value.is_nan()));
         }
     }
@@ -248,5 +278,23 @@ mod tests {
         let Sight::Picture(picture) = half_rendered(View::Color).sight else { panic!("a field") };
         assert_eq!(picture.pixels[15], Color::splat(20.0));
         assert_eq!(picture.pixels[16], Color::ZERO);
+    }
+
+    #[test]
+    fn a_tile_is_walked_in_squares_and_left_out_nowhere() {
+        let area = Crop { x0: 32, y0: 16, x1: 48, y1: 32 };
+        let pixels = pixels_of(area);
+        for square in pixels.chunks(16) {
+            let side = |of: fn(&Pixel) -> u32| {
+                let values = || square.iter().map(of);
+                values().max().unwrap_or(0) - values().min().unwrap_or(0)
+            };
+            assert_eq!((side(|p| p.x), side(|p| p.y)), (3, 3));
+        }
+        let cut = Crop { x1: 37, y1: 19, ..area };
+        let mut places: Vec<_> = pixels_of(cut).iter().map(|p| (p.y, p.x)).collect();
+        places.sort_unstable();
+        let expected: Vec<_> = (16..19).flat_map(|y| (32..37).map(move |x| (y, x))).collect();
+        assert_eq!(places, expected);
     }
 }

@@ -3,26 +3,24 @@
 use crate::math::{Color, Hit, Random, Ray};
 
 use super::batch::{Batch, Context};
-use super::{Crop, RayClass, View};
+use super::view_rays::Pixel;
+use super::{RayClass, Stage, View};
 
-/// Renders the normals, depths, objects or primitives of an area, row by row.
+/// Renders the normals, depths, objects or primitives of some pixels, in their order.
 pub(super) fn render_view(
     context: &Context<'_>,
     batch: &mut Batch,
-    area: Crop,
+    pixels: &[Pixel],
     view: View,
 ) -> Vec<Color> {
-    let height = context.settings.height;
-    let center = |x: u32, y: u32| context.camera.ray(f64::from(x), f64::from(height - 1 - y));
     let rays: Vec<Ray> =
-        (area.y0..area.y1).flat_map(|y| (area.x0..area.x1).map(move |x| center(x, y))).collect();
+        pixels.iter().map(|&pixel| context.view_rays.through_center(pixel)).collect();
     let mut hits = vec![Hit::MISS; rays.len()];
-    let stats = batch.stats.class_mut(RayClass::View);
-    let counts = context.count.then_some(&mut stats.tests);
-    context.tracer.intersect(&rays, &mut hits, counts);
-    stats.rays += rays.len() as u64;
-    stats.hits += hits.iter().filter(|hit| hit.is_hit()).count() as u64;
-    rays.iter().zip(&hits).map(|(ray, hit)| seen(context, view, ray, hit)).collect()
+    batch.lap(Stage::MakingRays);
+    batch.intersect(context, RayClass::View, &rays, &mut hits);
+    let seen = rays.iter().zip(&hits).map(|(ray, hit)| seen(context, view, ray, hit)).collect();
+    batch.lap(Stage::Shading);
+    seen
 }
 
 fn seen(context: &Context<'_>, view: View, ray: &Ray, hit: &Hit) -> Color {

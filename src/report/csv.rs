@@ -3,12 +3,16 @@
 //! By RFC 4180, with a heading line. A structure that traced nothing has one line with an empty
 //! class, so that it is not missing.
 
+mod sampling;
+
+pub use sampling::write_sampling;
+
 use super::numbers::exact;
 use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures};
 use crate::record::statistics::Estimate;
 use crate::record::{Comparison, Memory, SceneRecord, Status, StructureRecord};
 
-const HEADS: [&str; 29] = [
+const HEADS: [&str; 35] = [
     "scene",
     "triangles",
     "structure",
@@ -23,6 +27,9 @@ const HEADS: [&str; 29] = [
     "ns_per_ray_low",
     "ns_per_ray_high",
     "cpu_ns_per_ray",
+    "instructions_per_cycle",
+    "branch_misses_per_ray",
+    "cache_misses_per_ray",
     "million_rays_per_second",
     "million_rays_per_second_low",
     "million_rays_per_second_high",
@@ -34,6 +41,9 @@ const HEADS: [&str; 29] = [
     "build_all_threads_ns",
     "index_bytes",
     "bytes_per_triangle",
+    "sah_cost",
+    "epo",
+    "epo_standard_error",
     "picture_ns",
     "picture_ns_low",
     "picture_ns_high",
@@ -64,10 +74,11 @@ fn row(
     record: &StructureRecord,
     own: &StructureFigures,
     class: Option<&ClassFigures>,
-) -> [String; 29] {
+) -> [String; 35] {
     let ns = class.and_then(|class| class.ns_per_ray);
     let rate = parts(class.and_then(|class| class.million_rays_per_second));
     let speedup = parts(class.and_then(|class| class.speedup));
+    let shape = record.shape.as_ref();
     let [ns_median, ns_low, ns_high] = parts(ns);
     let [rate, rate_low, rate_high] = rate;
     let [speedup, speedup_low, speedup_high] = speedup;
@@ -87,6 +98,9 @@ fn row(
         ns_low,
         ns_high,
         median(class.and_then(|class| class.cpu_ns_per_ray)),
+        median(class.and_then(|class| class.instructions_per_cycle)),
+        median(class.and_then(|class| class.branch_misses_per_ray)),
+        median(class.and_then(|class| class.cache_misses_per_ray)),
         rate,
         rate_low,
         rate_high,
@@ -98,6 +112,9 @@ fn row(
         median(own.build_all_threads_ns),
         whole(record.memory.as_ref().map(|memory: &Memory| memory.index_bytes)),
         number(own.bytes_per_triangle),
+        number(shape.and_then(|shape| shape.sah_cost)),
+        number(shape.and_then(|shape| shape.epo)),
+        number(shape.and_then(|shape| shape.epo_standard_error)),
         picture,
         picture_low,
         picture_high,

@@ -48,7 +48,7 @@ fn machine_limits(comparison: &Comparison) -> Vec<String> {
         limits.push(format!("The machine was busy at the start: its load was {load:.2}."));
     }
     if run.commit.as_deref().is_some_and(|commit| commit.ends_with("-dirty")) {
-        limits.push("Files had changed since the commit that is named.".to_owned());
+        limits.push("Sources had changed since the commit that is named.".to_owned());
     }
     limits
 }

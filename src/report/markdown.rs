@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::limits::limits;
 use super::numbers;
+use super::sampling_verdict::sampling_verdict;
 use super::tables::{self, Cell, Table};
 use super::verdict::verdict_of;
 use crate::record::derived::{Derived, SceneFigures};
@@ -26,8 +27,12 @@ pub fn write(comparison: &Comparison) -> String {
     }
     if let Some(chapter) = &comparison.sampling {
         let default = escaped(&chapter.default);
-        let _ = write!(text, "\n## Sampling\n\nThe default is {default}.\n");
-        tables::sampling_tables(chapter, &derived.operations)
+        let _ = write!(text, "\n## Sampling\n\n");
+        if let Some(verdict) = sampling_verdict(comparison, &derived) {
+            let _ = write!(text, "{} ", escaped(&verdict));
+        }
+        let _ = writeln!(text, "The default is {default}.");
+        tables::sampling_tables(chapter, &derived)
             .iter()
             .for_each(|table| add_table(table, &mut text));
     }
@@ -64,6 +69,7 @@ fn add_scene(scene: &SceneRecord, figures: &SceneFigures, text: &mut String) {
         }
     }
     add_table(&tables::ray_table(figures), text);
+    add_table(&tables::hardware_table(figures), text);
     add_table(&tables::structure_table(scene, figures), text);
     add_table(&tables::picture_table(figures), text);
 }

@@ -24,6 +24,7 @@ mod limits;
 pub mod markdown;
 mod numbers;
 mod plot;
+mod sampling_verdict;
 mod tables;
 pub mod terminal;
 mod verdict;

@@ -99,6 +99,11 @@ pub(super) fn percent(share: f64) -> String {
     format!("{:.1}\u{a0}%", share * 100.0)
 }
 
+/// A share that may be far below a percent, with three figures.
+pub(super) fn small_percent(share: f64) -> String {
+    format!("{}\u{a0}%", figures(share * 100.0))
+}
+
 /// A median alone, with three figures.
 pub(super) fn median(estimate: Estimate) -> String {
     figures(estimate.median)

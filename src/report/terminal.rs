@@ -3,13 +3,16 @@
 use std::fmt::Write;
 
 use super::numbers::{self, NOTHING};
+use super::sampling_verdict::sampling_verdict;
+use super::tables;
 use super::verdict::verdict_of;
 use crate::record::baseline::Changes;
 use crate::record::derived::{Derived, SceneFigures, StructureFigures};
 use crate::record::statistics::Estimate;
 use crate::record::{Comparison, RayClass, SceneRecord, Status};
 
-/// Million rays a second by class, build, memory and time to the picture of each structure.
+/// Million rays a second by class, build, memory and time to the picture of each structure;
+/// then the verdicts.
 #[must_use]
 pub fn write(comparison: &Comparison) -> String {
     let derived = Derived::of(comparison);
@@ -20,7 +23,13 @@ pub fn write(comparison: &Comparison) -> String {
         text += &aligned(&scene_rows(scene, figures));
         text.push('\n');
     }
-    text + &verdict_of(comparison, &derived) + "\n"
+    text += &verdict_of(comparison, &derived);
+    text.push('\n');
+    if let Some(verdict) = sampling_verdict(comparison, &derived) {
+        text += &verdict;
+        text.push('\n');
+    }
+    text
 }
 
 /// What changed against a baseline: each change with its interval, then the doubts.
@@ -87,14 +96,16 @@ fn speedup(own: &StructureFigures, class: RayClass) -> Option<String> {
 
 /// Whether the answers are equal, or what went wrong.
 fn remark(scene: &SceneRecord, structure: &str, status: &Status) -> String {
-    let proof = scene.proof.as_ref().and_then(|proof| proof.structure(structure));
+    let proof = scene.proof.as_ref();
+    let yardstick = proof.and_then(|proof| proof.yardstick(structure));
+    let proof = proof.and_then(|proof| proof.structure(structure));
     match (status, proof) {
         (Status::Failed { message }, _) => format!("failed: {message}"),
         (Status::TooSlow { .. }, _) => "too slow".to_owned(),
         (_, Some(entry)) if !entry.holds() => "DIFFERS".to_owned(),
         (Status::Stopped, _) => "stopped".to_owned(),
         (Status::Ok, Some(entry)) if entry.picture_equal == Some(true) => "equal".to_owned(),
-        (Status::Ok, _) => NOTHING.to_owned(),
+        (Status::Ok, _) => yardstick.map_or_else(|| NOTHING.to_owned(), tables::agreement),
     }
 }
 

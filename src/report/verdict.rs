@@ -1,13 +1,17 @@
 //! The comparison in one plain sentence.
 
 use super::numbers;
-use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures};
+use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures, SweepFigures};
 use crate::record::{Comparison, Proof, RayClass, SceneRecord};
+
+/// Scenes that are named as not proved; more are counted.
+const NAMED_SCENES: usize = 3;
 
 /// Who is how much faster than whom, at what, how sure that is, and whether the pictures are equal.
 ///
-/// It speaks of the first scene, of view rays if there were any, and of the fastest structure; if
-/// anything differs, it says that instead, because unequal work cannot be compared.
+/// It speaks of the first scene, of view rays if there were any, and of the fastest structure;
+/// without scenes, of how cost grows. If anything differs, it says that instead, because unequal
+/// work cannot be compared.
 #[must_use]
 pub fn verdict(comparison: &Comparison) -> String {
     verdict_of(comparison, &Derived::of(comparison))
@@ -18,7 +22,11 @@ pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
     if let Some(difference) = difference(comparison) {
         return format!("{partial}{difference}");
     }
-    let speed = derived.scenes.iter().find_map(speed).unwrap_or_else(|| {
+    let alone = comparison.scenes.is_empty();
+    let growth = || derived.sweeps.iter().filter(|_| alone).find_map(growth);
+    let mut scenes = derived.scenes.iter().zip(&comparison.scenes);
+    let speed = scenes.find_map(|(figures, scene)| speed(figures, scene));
+    let speed = speed.or_else(growth).unwrap_or_else(|| {
         let nothing = "no two structures were traced beside each other";
         if derived.scenes.iter().any(|scene| scene.base.is_some()) {
             nothing.to_owned()
@@ -29,11 +37,11 @@ pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
     format!("{partial}{speed}; {}.", equality(&comparison.scenes))
 }
 
-/// The fastest structure of a scene against its base.
-fn speed(scene: &SceneFigures) -> Option<String> {
+/// The fastest structure of a scene against its base; yardsticks are not in the running.
+fn speed(scene: &SceneFigures, record: &SceneRecord) -> Option<String> {
     let base = scene.base.as_deref()?;
     let class = scene.classes().into_iter().next()?;
-    let (fastest, figures) = fastest(scene, class)?;
+    let (fastest, figures) = fastest(scene, record, class)?;
     let traced = scene.structures.iter().filter(|structure| structure.class(class).is_some());
     let others = traced.count() > 1;
     let scene = &scene.scene;
@@ -55,11 +63,39 @@ fn speed(scene: &SceneFigures) -> Option<String> {
     ))
 }
 
-fn fastest(scene: &SceneFigures, class: RayClass) -> Option<(&StructureFigures, &ClassFigures)> {
+/// The fastest structure at the largest size of a sweep, and how its cost grows.
+fn growth(sweep: &SweepFigures) -> Option<String> {
+    let class = sweep.classes().into_iter().next()?;
+    let ends = sweep.curves.iter().filter(|curve| curve.class == class);
+    let ends = ends.filter_map(|curve| Some((curve, curve.values.last()?)));
+    let (curve, end) = ends.min_by(|(_, a), (_, b)| {
+        let time = a.ns_per_ray.median.total_cmp(&b.ns_per_ray.median);
+        b.triangles.cmp(&a.triangles).then(time)
+    })?;
+    let slope = curve.fit.map_or_else(String::new, |fit| {
+        format!("; its cost grows with the power {:.2} of the number of triangles", fit.slope)
+    });
+    Some(format!(
+        "{} traces {} rays of {} with {} triangles fastest, in {} each{slope}",
+        curve.structure,
+        class.name(),
+        sweep.mesh,
+        numbers::count(end.triangles),
+        numbers::time(end.ns_per_ray.median),
+    ))
+}
+
+fn fastest<'a>(
+    scene: &'a SceneFigures,
+    record: &SceneRecord,
+    class: RayClass,
+) -> Option<(&'a StructureFigures, &'a ClassFigures)> {
+    let is_yardstick = |name: &str| record.structure(name).is_some_and(|row| row.yardstick);
     let time = |figures: &ClassFigures| figures.ns_per_ray.map(|estimate| estimate.median);
     scene
         .structures
         .iter()
+        .filter(|structure| !is_yardstick(&structure.structure))
         .filter_map(|structure| Some((structure, structure.class(class)?)))
         .filter(|(_, figures)| time(figures).is_some())
         .min_by(|(_, a), (_, b)| {
@@ -87,15 +123,51 @@ fn difference(comparison: &Comparison) -> Option<String> {
     None
 }
 
-/// What was shown to be equal.
+/// What was shown to be equal: of how many pictures, and why not of the others.
 fn equality(scenes: &[SceneRecord]) -> String {
-    let compared = |proof: &Proof| {
-        proof.structures.len() > 1 && proof.structures.iter().all(|e| e.picture_equal == Some(true))
+    let compared = |scene: &SceneRecord| {
+        let equal = |proof: &Proof| proof.structures.iter().any(|e| e.picture_equal == Some(true));
+        scene.proof.as_ref().is_some_and(|proof| proof.structures.len() > 1 && equal(proof))
     };
-    let proved = scenes.iter().filter(|scene| scene.proof.as_ref().is_some_and(compared)).count();
-    match (proved, scenes.len()) {
-        (0, _) => "no pictures were compared".to_owned(),
-        (a, b) if a == b => "pictures equal bit for bit".to_owned(),
-        (a, b) => format!("pictures equal bit for bit in {a} of {b} scenes, the others unproved"),
+    let unproved: Vec<String> = scenes.iter().filter_map(unproved).collect();
+    let proved = scenes.len() - unproved.len();
+    if !scenes.iter().any(compared) {
+        return "no pictures were compared".to_owned();
     }
+    if unproved.is_empty() {
+        return "pictures equal bit for bit".to_owned();
+    }
+    let others = match unproved.len().saturating_sub(NAMED_SCENES) {
+        0 => String::new(),
+        others => format!(" and {others} more"),
+    };
+    format!(
+        "{proved} of {} pictures proved equal bit for bit, {} not compared whole: {}{others}",
+        scenes.len(),
+        unproved.len(),
+        unproved[..unproved.len().min(NAMED_SCENES)].join(", "),
+    )
+}
+
+/// A scene whose whole picture was not compared with every structure, and what the others made
+/// instead; `None` if all were.
+fn unproved(scene: &SceneRecord) -> Option<String> {
+    if scene.structures.len() < 2 {
+        return Some(format!("{} (nothing to compare it with)", scene.name));
+    }
+    let (mut without, mut smaller) = (Vec::new(), Vec::new());
+    for structure in &scene.structures {
+        let entry = scene.proof.as_ref().and_then(|proof| proof.structure(&structure.name));
+        match entry.map(|entry| (entry.picture_equal, entry.picture_hash.is_some())) {
+            Some((Some(true), true)) => {}
+            Some((Some(true), false)) => smaller.push(format!("`{}`", structure.name)),
+            _ => without.push(format!("`{}`", structure.name)),
+        }
+    }
+    let reasons: Vec<String> = [("no picture", without), ("a smaller one", smaller)]
+        .into_iter()
+        .filter(|(_, names)| !names.is_empty())
+        .map(|(what, names)| format!("{what} from {}", names.join(", ")))
+        .collect();
+    (!reasons.is_empty()).then(|| format!("{} ({})", scene.name, reasons.join("; ")))
 }

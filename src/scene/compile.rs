@@ -26,7 +26,7 @@ impl Scene {
         description: &SceneDescription,
         meshes: Vec<Arc<MeshData>>,
     ) -> Result<Self, Vec<SceneError>> {
-        let mesh_bounds: Vec<Aabb> = meshes.iter().map(|mesh| mesh.bounds()).collect();
+        let mesh_bounds: Vec<Aabb> = meshes.iter().map(|mesh| stored_bounds(mesh)).collect();
         let (objects, mut errors) = compile_objects(description, &mesh_bounds);
         errors.extend(lights_out_of_range(&description.lights));
         let camera = match Camera::new(&description.camera) {
@@ -46,6 +46,14 @@ impl Scene {
             meshes,
         })
     }
+}
+
+/// The box around a mesh's triangles as they are traced: its corners may differ in the last bit
+/// from the file's, and the box of an object must hold its primitives' own boxes.
+fn stored_bounds(mesh: &MeshData) -> Aabb {
+    let corners = |triangle: &[u32; 3]| triangle.map(|i| mesh.positions[i as usize]);
+    let triangles = mesh.triangles.iter().map(|triangle| Triangle::new(corners(triangle)));
+    triangles.map(|triangle| triangle.bounds()).fold(Aabb::EMPTY, Aabb::union)
 }
 
 /// The objects that can be traced, and what is wrong with the others.

@@ -1,4 +1,4 @@
-//! Why a description cannot be traced.
+//! Why a description cannot be traced, or not with a certain structure.
 
 use thiserror::Error;
 
@@ -38,4 +38,23 @@ pub enum SceneError {
          single precision"
     )]
     CameraOutOfRange,
+}
+
+/// Why a structure cannot be built over a scene that can be traced.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum BuildError {
+    /// An object is of a form that it does not know.
+    #[error("object {object} is {form}: only triangles and meshes can be traced with it")]
+    Unsupported {
+        /// Index of the object in the scene.
+        object: usize,
+        /// What it is, with its article.
+        form: &'static str,
+    },
+    /// The library behind it failed.
+    #[error("{text}")]
+    Library {
+        /// Its own words.
+        text: String,
+    },
 }

@@ -6,10 +6,13 @@
 
 mod camera;
 mod compile;
+#[cfg(feature = "embree")]
+mod embree_world;
 mod error;
 mod lights;
 mod object;
 mod object_list;
+mod object_slices;
 mod range;
 mod structures;
 mod surface;
@@ -21,12 +24,14 @@ use crate::assets::MeshData;
 use crate::description::{Material, Options};
 use crate::math::Aabb;
 
+pub use crate::shapes::EndPointOverlap;
+
 pub use camera::Camera;
-pub use error::SceneError;
+pub use error::{BuildError, SceneError};
 pub use lights::Light;
 pub use object::{Form, Object};
 pub use object_list::ObjectList;
-pub use structures::{STRUCTURES, Structure, structure_named};
+pub use structures::{STRUCTURES, Structure, YARDSTICKS, structure_named};
 pub use surface::Surface;
 pub use world::{BuildReport, TracedWorld, World};
 

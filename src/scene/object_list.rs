@@ -10,36 +10,44 @@ use std::sync::Arc;
 
 use glam::Vec3A;
 
-use crate::accel::{Accel, Bounded, Indexed, Primitives};
+use crate::accel::{Accel, Bounded, Indexed, NoPacks, Primitives};
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray, RayToObject};
 use crate::shapes::{Ball, Cylinder, Triangle, TriangleSet};
 
-use super::{Form, Scene};
+use super::{Form, Scene, object_slices};
 
 /// Paddings grow with how much a transform amplifies rounding, up to this: beyond, an object is so
 /// nearly flat that its own hits are noise.
 const LARGEST_AMPLIFICATION: f64 = 1e4;
 
+/// Up to so many objects, a slice of rays is brought to each object rather than each ray to the
+/// objects that it meets.
+const FEW: usize = 16;
+
+/// Of these, up to so many that are not meshes: they are tested ray by ray, so that more of them
+/// are found faster by their boxes.
+const FEW_SINGLE: usize = 4;
+
 /// The objects of a scene, their meshes indexed by `A`. Empty slots are not supported, and not
 /// needed: objects are tested one by one.
 #[derive(Clone, Debug)]
 pub struct ObjectList<A> {
-    objects: Vec<Placed<A>>,
+    pub(super) objects: Vec<Placed<A>>,
     padding: Padding,
 }
 
 /// An object as a ray meets it.
 #[derive(Clone, Debug)]
-struct Placed<A> {
+pub(super) struct Placed<A> {
     bounds: Aabb,
-    to_object: Option<Box<RayToObject>>,
-    form: PlacedForm<A>,
-    id: u32,
+    pub(super) to_object: Option<Box<RayToObject>>,
+    pub(super) form: PlacedForm<A>,
+    pub(super) id: u32,
 }
 
 #[derive(Clone, Debug)]
-enum PlacedForm<A> {
+pub(super) enum PlacedForm<A> {
     Ball(Ball),
     Cylinder,
     Triangle(Triangle),
@@ -98,6 +106,12 @@ impl<A: Accel> Bounded for ObjectList<A> {
 }
 
 impl<A: Accel> Primitives for ObjectList<A> {
+    type Packs = NoPacks;
+
+    fn packs(&self) -> Option<&NoPacks> {
+        None
+    }
+
     fn padding(&self) -> Padding {
         self.padding
     }
@@ -137,12 +151,25 @@ impl<A: Accel> Primitives for ObjectList<A> {
             .iter()
             .any(|object| object.blocks(ray, box_ray, counters))
     }
+
+    fn are_few(&self) -> bool {
+        let meshes = self.objects.iter().filter(|o| matches!(o.form, PlacedForm::Mesh(_))).count();
+        self.objects.len() <= FEW && self.objects.len() - meshes <= FEW_SINGLE
+    }
+
+    fn intersect_all<C: Counters>(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut C) {
+        object_slices::closest(self, rays, hits, counters);
+    }
+
+    fn occluded_all<C: Counters>(&self, rays: &[Ray], answers: &mut [bool], counters: &mut C) {
+        object_slices::blocked(self, rays, answers, counters);
+    }
 }
 
 impl<A: Accel> Placed<A> {
     /// The first hit on this object up to `t_max`.
     #[inline]
-    fn closest<C: Counters>(
+    pub(super) fn closest<C: Counters>(
         &self,
         ray: &Ray,
         box_ray: &BoxRay,
@@ -166,7 +193,12 @@ impl<A: Accel> Placed<A> {
 
     /// Whether this object has a hit on the ray.
     #[inline]
-    fn blocks<C: Counters>(&self, ray: &Ray, box_ray: &BoxRay, counters: &mut C) -> bool {
+    pub(super) fn blocks<C: Counters>(
+        &self,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        counters: &mut C,
+    ) -> bool {
         if let PlacedForm::Mesh(mesh) = &self.form {
             return mesh.blocked(&self.cut_own_ray(ray, box_ray, ray.t_max), counters);
         }
@@ -195,7 +227,7 @@ impl<A: Accel> Placed<A> {
     /// The interval may be empty; then nothing counts, but the structure is asked all the same:
     /// what to skip is a structure's to decide.
     #[inline(always)]
-    fn cut_own_ray(&self, ray: &Ray, box_ray: &BoxRay, t_max: f32) -> Ray {
+    pub(super) fn cut_own_ray(&self, ray: &Ray, box_ray: &BoxRay, t_max: f32) -> Ray {
         let (near, far) = box_ray.interval(&self.bounds);
         self.own_ray(&Ray { t_min: ray.t_min.max(near), t_max: far.min(t_max), ..*ray })
     }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use crate::accel::{Accel, BuildConfig, Indexed, StructureShape, Tracer};
 use crate::counters::Counts;
 use crate::math::{Hit, Ray};
-use crate::shapes::TriangleSet;
+use crate::shapes::{EndPointOverlap, OVERLAP_SAMPLES, TriangleSet, end_point_overlap};
 
 use super::{ObjectList, Scene};
 
@@ -37,6 +37,10 @@ pub struct BuildReport {
 pub trait TracedWorld: Tracer {
     /// What building it took and gave.
     fn build_report(&self) -> BuildReport;
+
+    /// The end-point overlap of the trees over the meshes, added up, each mesh once; `None` where
+    /// there is no tree or no mesh. Of large meshes some triangles are chosen, by `seed`.
+    fn end_point_overlap(&self, seed: u64) -> Option<EndPointOverlap>;
 }
 
 impl<O: Accel, T: Accel> World<O, T> {
@@ -85,5 +89,13 @@ impl<O: Accel, T: Accel> TracedWorld for World<O, T> {
             triangles,
             triangle_bytes,
         }
+    }
+
+    fn end_point_overlap(&self, seed: u64) -> Option<EndPointOverlap> {
+        let of_mesh = |mesh: &Arc<Indexed<TriangleSet, T>>| {
+            let tree = mesh.tree()?;
+            Some(end_point_overlap(&tree, mesh.primitives(), OVERLAP_SAMPLES, seed))
+        };
+        self.meshes.iter().filter_map(of_mesh).reduce(EndPointOverlap::and)
     }
 }

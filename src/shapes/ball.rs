@@ -55,7 +55,8 @@ impl Ball {
     pub fn surface_point(&self, ray: &Ray, t: f32) -> SurfacePoint {
         let center = self.center.as_dvec3();
         let on_ray = ray.origin.as_dvec3() + f64::from(t) * ray.dir.as_dvec3();
-        let normal = (on_ray - center).normalize_or(-ray.dir.as_dvec3());
+        let outward = (on_ray - center).try_normalize();
+        let normal = outward.unwrap_or_else(|| -ray.dir.as_dvec3().normalize());
         let radius = f64::from(self.radius);
         SurfacePoint {
             position: center + radius * normal,

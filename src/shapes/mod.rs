@@ -4,13 +4,16 @@
 //! materials or files; transforms are applied before a ray gets here.
 
 mod ball;
+mod clip;
 mod cylinder;
+mod end_point_overlap;
 mod surface_point;
 mod triangle;
 mod triangle_set;
 
 pub use ball::Ball;
 pub use cylinder::Cylinder;
+pub use end_point_overlap::{EndPointOverlap, OVERLAP_SAMPLES, end_point_overlap};
 pub use surface_point::SurfacePoint;
 pub use triangle::Triangle;
 pub use triangle_set::TriangleSet;

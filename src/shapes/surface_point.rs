@@ -7,7 +7,7 @@ use glam::DVec3;
 pub struct SurfacePoint {
     /// The point, on the surface to within `f64` rounding in the direction of the normal.
     pub position: DVec3,
-    /// Outward normal, of any length: perpendicular to the surface, on the outside of a closed one.
+    /// Outward unit normal: perpendicular to the surface, on the outside of a closed one.
     pub normal: DVec3,
     /// A distance from the surface, along the normal, at which the `f32` formula of the shape
     /// tells the sides apart: rays that start nearer may hit where they start.

@@ -7,23 +7,11 @@
 
 use glam::{DVec3, Vec3, Vec3A};
 
+use crate::accel::ScaledHit;
 use crate::math::{Aabb, Ray, UNIT_ROUNDOFF};
 use crate::simd::{Lanes, Lanes3, cross, dot, sub};
 
 use super::SurfacePoint;
-
-/// A hit before its division: see [`scaled_hit`].
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ScaledHit<L> {
-    /// Weight of the second corner, times `det`.
-    pub(super) u: L,
-    /// Weight of the third corner, times `det`.
-    pub(super) v: L,
-    /// Ray parameter, times `det`.
-    pub(super) t: L,
-    /// Absolute value of the determinant.
-    pub(super) det: L,
-}
 
 /// Möller-Trumbore up to the division.
 ///
@@ -105,10 +93,11 @@ impl Triangle {
     pub fn surface_point(&self, u: f32, v: f32) -> SurfacePoint {
         let [v0, e1, e2] = [self.v0, self.e1, self.e2].map(Vec3::as_dvec3);
         let normal = e1.cross(e2);
+        let area_recip = normal.length_recip();
         SurfacePoint {
             position: v0 + f64::from(u) * e1 + f64::from(v) * e2,
-            normal,
-            clearance: clearance(e1, e2, normal.length()),
+            normal: normal * area_recip,
+            clearance: clearance(e1, e2, area_recip),
         }
     }
 }
@@ -119,10 +108,10 @@ impl Triangle {
 /// roundings on the way, so its error is at most 5u·3·|e1||e2||s|, and |s| is at most about the
 /// longest edge. For slivers, whose area is all rounding, the distance is cut to a thousandth of
 /// that edge: beyond it the offset itself would show.
-fn clearance(e1: DVec3, e2: DVec3, double_area: f64) -> f64 {
-    let longest = e1.length().max(e2.length());
-    let error = 15.0 * UNIT_ROUNDOFF * e1.length() * e2.length() * longest;
-    (error / double_area).min(1e-3 * longest)
+fn clearance(e1: DVec3, e2: DVec3, double_area_recip: f64) -> f64 {
+    let (a, b) = (e1.length_squared(), e2.length_squared());
+    let error = 15.0 * UNIT_ROUNDOFF * (a * b).sqrt() * double_area_recip;
+    error.min(1e-3) * a.max(b).sqrt()
 }
 
 #[cfg(test)]

@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use glam::{DVec3, Vec3, Vec3A, Vec4};
 
-use crate::accel::{Bounded, Primitives};
+use crate::accel::{Bounded, Packs, Primitives, ScaledHit};
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray};
-use crate::simd::{Lanes3, ones};
+use crate::simd::{Lanes3, Row, Simd, ones, splat3};
 
 use super::Triangle;
 use super::triangle::scaled_hit;
@@ -66,7 +66,7 @@ impl TriangleSet {
     pub fn new(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
         let count = u32::try_from(triangles.len()).expect("fewer than 2^32 triangles");
         let mut set = Self {
-            packs: vec![Pack::EMPTY; triangles.len().div_ceil(LANES)],
+            packs: vec![Pack::EMPTY; triangles.len().div_ceil(2 * LANES) * 2],
             count,
             mean_vertex: mean_vertex(positions, triangles),
             padding: Padding { largest: 0.0, factor: 1.0 },
@@ -89,6 +89,19 @@ impl TriangleSet {
     #[must_use]
     pub fn bytes(&self) -> u64 {
         (self.packs.capacity() * size_of::<Pack>()) as u64
+    }
+
+    /// Both halves of a pack of eight.
+    #[inline(always)]
+    fn halves(&self, pack: usize) -> &[Pack; 2] {
+        self.packs[2 * pack..].first_chunk().expect("packs of eight are whole")
+    }
+
+    /// The corners of the triangle in a slot, in double precision.
+    pub(super) fn corners(&self, slot: u32) -> [DVec3; 3] {
+        let Triangle { v0, e1, e2 } = self.slot(slot).0;
+        let v0 = v0.as_dvec3();
+        [v0, v0 + e1.as_dvec3(), v0 + e2.as_dvec3()]
     }
 
     fn slot(&self, slot: u32) -> (Triangle, u32) {
@@ -130,12 +143,18 @@ impl Bounded for TriangleSet {
 }
 
 impl Primitives for TriangleSet {
+    type Packs = Self;
+
+    fn packs(&self) -> Option<&Self> {
+        Some(self)
+    }
+
     fn padding(&self) -> Padding {
         self.padding
     }
 
     fn reorder(&mut self, order: &[u32]) {
-        let mut packs = vec![Pack::EMPTY; order.len().div_ceil(LANES)];
+        let mut packs = vec![Pack::EMPTY; order.len().div_ceil(2 * LANES) * 2];
         for (slot, &from) in order.iter().enumerate().filter(|&(_, &from)| from != NONE) {
             let (triangle, prim) = self.slot(from);
             packs[slot / LANES].set(slot % LANES, &triangle, prim);
@@ -180,6 +199,85 @@ impl Primitives for TriangleSet {
     }
 }
 
+/// A pack of eight is two of four that follow each other.
+impl Packs for TriangleSet {
+    #[inline(always)]
+    fn of_pack<S: Simd>(
+        &self,
+        pack: usize,
+        origin: Lanes3<S::F8>,
+        dir: Lanes3<S::F8>,
+    ) -> ScaledHit<S::F8> {
+        let halves = self.halves(pack);
+        let [v0, e1, e2] = rows::<S>(halves);
+        scaled_hit(origin, dir, v0, e1, e2)
+    }
+
+    #[inline(always)]
+    fn of_lane<S: Simd>(
+        &self,
+        pack: usize,
+        lane: usize,
+        origin: Lanes3<S::F16>,
+        dir: Lanes3<S::F16>,
+    ) -> ScaledHit<S::F16> {
+        let triangle = self.halves(pack)[lane / LANES % 2].triangle(lane % LANES);
+        let [v0, e1, e2] = [triangle.v0, triangle.e1, triangle.e2];
+        scaled_hit(
+            origin,
+            dir,
+            splat3::<S::F16, 16>(v0.to_array()),
+            splat3::<S::F16, 16>(e1.to_array()),
+            splat3::<S::F16, 16>(e2.to_array()),
+        )
+    }
+
+    #[inline(always)]
+    fn boxes<S: Simd>(&self, pack: usize) -> [Lanes3<S::F8>; 2] {
+        let [v0, e1, e2] = rows::<S>(self.halves(pack));
+        let (mut low, mut high) = (v0, v0);
+        for axis in 0..3 {
+            let (second, third) = (v0[axis] + e1[axis], v0[axis] + e2[axis]);
+            low[axis] = v0[axis].min(second).min(third);
+            high[axis] = v0[axis].max(second).max(third);
+        }
+        [low, high]
+    }
+
+    #[inline(always)]
+    fn bounds(&self, pack: usize, lane: usize) -> Aabb {
+        self.halves(pack)[lane / LANES % 2].triangle(lane % LANES).bounds()
+    }
+
+    #[inline(always)]
+    fn id(&self, pack: usize, lane: usize) -> u32 {
+        self.halves(pack)[lane / LANES % 2].prim[lane % LANES]
+    }
+
+    fn closest_in_pack(&self, pack: usize, ray: &Ray, box_ray: &BoxRay, best: &mut Hit) {
+        let lane_ray = LaneRay::new(ray);
+        for half in self.halves(pack) {
+            let candidates = half.candidates(&lane_ray, ray.t_min, best.t, (1 << LANES) - 1);
+            half.update(&candidates, box_ray, best);
+        }
+    }
+}
+
+/// The corners and edges of eight triangles.
+#[inline(always)]
+fn rows<S: Simd>([low, high]: &[Pack; 2]) -> [Lanes3<S::F8>; 3] {
+    [joined::<S>(&low.v0, &high.v0), joined::<S>(&low.e1, &high.e1), joined::<S>(&low.e2, &high.e2)]
+}
+
+#[inline(always)]
+fn joined<S: Simd>(low: &Lanes3<Vec4>, high: &Lanes3<Vec4>) -> Lanes3<S::F8> {
+    [
+        S::halves(low[0].as_ref(), high[0].as_ref()),
+        S::halves(low[1].as_ref(), high[1].as_ref()),
+        S::halves(low[2].as_ref(), high[2].as_ref()),
+    ]
+}
+
 impl Pack {
     const EMPTY: Self =
         Self { v0: [Vec4::ZERO; 3], e1: [Vec4::ZERO; 3], e2: [Vec4::ZERO; 3], prim: [NONE; LANES] };
@@ -193,8 +291,9 @@ impl Pack {
         self.prim[lane] = prim;
     }
 
+    #[inline(always)]
     fn triangle(&self, lane: usize) -> Triangle {
-        let pick = |rows: &Lanes3<Vec4>| Vec3::from_array(rows.map(|row| row[lane]));
+        let pick = |rows: &Lanes3<Vec4>| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
         Triangle { v0: pick(&self.v0), e1: pick(&self.e1), e2: pick(&self.e2) }
     }
 

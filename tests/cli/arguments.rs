@@ -6,6 +6,18 @@ use std::path::Path;
 use crate::support::{Run, folder, refused, run_in};
 
 #[test]
+fn an_unknown_instruction_set_is_refused() {
+    let run = assert_cmd::cargo::cargo_bin_cmd!("srt")
+        .args(["check", "a.sce"])
+        .env("SRT_ISA", "sse9")
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8(run.stderr).unwrap();
+    assert_eq!(run.status.code(), Some(2), "{stderr}");
+    assert!(stderr.contains("`sse9`") && stderr.contains("avx512"), "{stderr}");
+}
+
+#[test]
 fn help_names_every_option_and_exit_code() {
     let Run { code, stdout: help, .. } = run_in(Path::new("."), &["--help"]);
     assert_eq!(code, 0);
@@ -38,6 +50,7 @@ fn help_names_every_option_and_exit_code() {
         "ball",
         "bvh",
         "cwbvh",
+        "bvh8",
         "fastest",
         "slowest",
         "shuffled",

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::support::{Run, folder, good_run_in, names, picture, refused, run_in};
+use crate::support::{Run, SCENE, folder, good_run_in, names, picture, refused, run_in};
 
 const QUICK: [&str; 8] =
     ["--budget", "4", "--rounds", "6", "--threads", "2", "--accel", "none,bvh"];
@@ -99,11 +99,32 @@ fn a_sweep_traces_growing_meshes() {
 }
 
 #[test]
+fn a_study_of_sampling_is_a_chapter_in_all_forms() {
+    let folder = folder();
+    let unlit = SCENE.replace("arealight 0.7", "pointlight 0 0 0");
+    fs::write(folder.path().join("unlit.sce"), unlit).unwrap();
+    let study = ["compare", "scene.sce", "unlit.sce", "--sampling-study", "--out", "out"];
+    let run = run_in(folder.path(), &[&study, &QUICK[..]].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("Sampling: shuffled leaves "), "{}", run.stdout);
+    let read = |file: &str| fs::read_to_string(folder.path().join("out").join(file)).unwrap();
+    let record = json(&folder.path().join("out/report.json"));
+    let noise = record["derived"]["noise"].as_array().unwrap();
+    assert!(noise.len() >= 12 && noise.iter().all(|own| own["scene"] == "scene"), "{noise:?}");
+    assert!(read("sampling.csv").contains("\r\nnoise,scene,shuffled,"));
+    let told = "unlit was left out of the study of sampling";
+    for (file, title) in [("report.md", "### Noise that"), ("report.html", "noise against time")] {
+        assert!(read(file).contains(title) && read(file).contains(told), "{file}");
+    }
+}
+
+#[test]
 fn what_cannot_be_done_is_refused_before_the_work() {
     refused(&["compare"], &["SCENE"]);
     refused(&["compare", "scene.sce", "--accel", "bhv"], &["none", "cwbvh"]);
     refused(&["compare", "--sweep", "1k..10k"], &["--mesh"]);
     refused(&["compare", "--sweep", "10k..1k", "--mesh", "hall"], &["the smaller first"]);
+    refused(&["compare", "--sweep", "1k..2k", "--mesh", "hall", "--sampling-study"], &["<SCENE>"]);
     refused(&["compare", "scene.sce", "--budget", "0"], &["seconds"]);
     refused(&["compare", "scene.sce", "--fail-above", "9%"], &["--baseline"]);
     refused(&["compare", "missing.sce", "--out", "."], &["missing.sce"]);

@@ -38,7 +38,7 @@ fn standard_output_gets_the_picture_and_standard_error_the_line() {
     let output = run(&[]);
     assert!(output.status.success());
     assert!(output.stdout == reference);
-    assert!(String::from_utf8(output.stderr).unwrap().starts_with("40 × 30, bvh: "));
+    assert!(String::from_utf8(output.stderr).unwrap().starts_with("40 × 30, bvh8: "));
     assert!(run(&["--format", "png"]).stdout.starts_with(b"\x89PNG"));
     assert_eq!(names(folder.path()), ["a.ppm", "scene.sce"]);
 }

@@ -11,7 +11,7 @@ fn a_scene_becomes_a_picture_and_a_line() {
     let folder = folder();
     let run = good_run_in(folder.path(), &["scene.sce", "a.tga"]);
     assert_eq!(run.stdout, "");
-    for part in ["40 × 30, bvh: built in ", "rendered in ", " rays (4.80 k view, ", " M rays/s\n"]
+    for part in ["40 × 30, bvh8: built in ", "rendered in ", " rays (4.80 k view, ", " M rays/s\n"]
     {
         assert!(run.stderr.contains(part), "{part}: {}", run.stderr);
     }

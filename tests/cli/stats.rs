@@ -39,7 +39,7 @@ fn figures_add_up() {
 #[test]
 fn the_structure_adds_up() {
     let structure = &figures(&["--build", "fast"])["structure"];
-    assert_eq!(structure["name"], "bvh");
+    assert_eq!(structure["name"], "bvh8");
     assert_eq!(structure["build"], "fast");
     for level in ["objects", "meshes"] {
         let shape = &structure[level];
@@ -79,7 +79,7 @@ fn the_table_goes_to_standard_error() {
     let folder = folder();
     let run = good_run_in(folder.path(), &["scene.sce", "a.png", "--stats", "--quiet"]);
     assert_eq!(run.stdout, "");
-    for part in ["structure   bvh, medium build\n", "B a triangle\n", "boxes/ray", "shadow  "] {
+    for part in ["structure   bvh8, medium build\n", "B a triangle\n", "boxes/ray", "shadow  "] {
         assert!(run.stderr.contains(part), "{part}: {}", run.stderr);
     }
     assert!(!run.stderr.contains("M rays/s"), "{}", run.stderr);

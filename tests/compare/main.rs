@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
 mod broken;
+mod same_rays;
+mod sampling;
 
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -25,6 +25,31 @@ pub(crate) fn rays_at(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
         .collect()
 }
 
+/// Sixteen rays for each of some: itself, twice, and others around it, near and less near. These go
+/// together where a structure traces packets.
+pub(crate) fn bundles_around(rays: &[Ray]) -> Vec<Ray> {
+    let mut random = Random::new(&[7]);
+    let mut bundles = Vec::with_capacity(16 * rays.len());
+    for (number, ray) in rays.iter().enumerate() {
+        let spread = [0.0, 1e-7, 1e-4, 1e-2, 0.2][number % 5];
+        for copy in 0..16 {
+            let mut near = *ray;
+            if copy > 1 {
+                let length = ray.dir.length().min(1e18);
+                near.dir += spread * length * random_point(&mut random);
+                if copy % 2 == 0 {
+                    near.origin += spread * random_point(&mut random);
+                }
+                if copy % 5 == 0 {
+                    near.t_max = 2.0 * random.next_f32();
+                }
+            }
+            bundles.push(near);
+        }
+    }
+    bundles
+}
+
 struct Aim {
     random: Random,
     center: Vec3,

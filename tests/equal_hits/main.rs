@@ -13,12 +13,13 @@ mod scenes;
 use glam::Vec3;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use srt::accel::{
-    Accel, BoundingBall, BuildConfig, Bvh, CompressedWideBvh, Exhaustive, Indexed, Quality, Tracer,
+    Accel, BoundingBall, BuildConfig, Bvh, Bvh8, CompressedWideBvh, Exhaustive, Indexed, Quality,
+    Tracer,
 };
 use srt::math::{Hit, Ray};
 use srt::shapes::TriangleSet;
 
-use adversarial_rays::rays_at;
+use adversarial_rays::{bundles_around, rays_at};
 use nasty_meshes::Mesh;
 
 /// The answers of a structure.
@@ -69,10 +70,11 @@ fn compare_on(mesh: &Mesh, qualities: &[Quality], count: usize) -> usize {
     let ball = indexed::<BoundingBall>(mesh, Quality::Medium);
     let trees: Vec<(String, Box<dyn Tracer>)> = qualities
         .iter()
-        .flat_map(|&q| -> [(String, Box<dyn Tracer>); 2] {
+        .flat_map(|&q| -> [(String, Box<dyn Tracer>); 3] {
             [
                 (format!("bvh {}", q.name()), Box::new(indexed::<Bvh>(mesh, q))),
                 (format!("cwbvh {}", q.name()), Box::new(indexed::<CompressedWideBvh>(mesh, q))),
+                (format!("bvh8 {}", q.name()), Box::new(indexed::<Bvh8>(mesh, q))),
             ]
         })
         .collect();
@@ -80,7 +82,11 @@ fn compare_on(mesh: &Mesh, qualities: &[Quality], count: usize) -> usize {
     let expected = trace(&none, &adversarial);
     let cut = rays_cut_at_hits(&adversarial, &expected.0);
     let expected_of_cut = trace(&none, &cut);
-    for (rays, expected) in [(&adversarial, &expected), (&cut, &expected_of_cut)] {
+    let bundles = bundles_around(&adversarial[..count / 64]);
+    let expected_of_bundles = trace(&none, &bundles);
+    for (rays, expected) in
+        [(&adversarial, &expected), (&cut, &expected_of_cut), (&bundles, &expected_of_bundles)]
+    {
         for (hit, blocked) in expected.0.iter().zip(&expected.1) {
             assert_eq!(hit.is_hit(), *blocked, "{}: closest and any hit disagree", mesh.name);
         }
@@ -89,7 +95,7 @@ fn compare_on(mesh: &Mesh, qualities: &[Quality], count: usize) -> usize {
             assert_equal(&format!("{}: {name}", mesh.name), tree.as_ref(), rays, expected);
         }
     }
-    adversarial.len() + cut.len()
+    adversarial.len() + cut.len() + bundles.len()
 }
 
 #[test]
@@ -141,14 +147,28 @@ fn closest_hits_are_hits_of_the_triangle_they_name() {
 }
 
 #[test]
+fn a_deep_tree_after_a_shallow_one_on_the_same_thread() {
+    // The kernels keep their stacks from call to call, and a deeper tree needs higher ones.
+    let soup = nasty_meshes::soup();
+    let few = Mesh { triangles: soup.triangles[..3].to_vec(), ..nasty_meshes::soup() };
+    for mesh in [&few, &soup, &few] {
+        let rays = rays_at(mesh, 2_000, 11);
+        let expected = trace(&indexed::<Exhaustive>(mesh, Quality::Medium), &rays);
+        let tree = indexed::<Bvh8>(mesh, Quality::Medium);
+        assert_equal("bvh8", &tree, &rays, &expected);
+    }
+}
+
+#[test]
 fn an_empty_mesh_is_never_hit() {
     let mesh = Mesh { name: "empty", positions: vec![], triangles: vec![] };
     let rays = [Ray::new(Vec3::ZERO, Vec3::X)];
-    let tracers: [Box<dyn Tracer>; 4] = [
+    let tracers: [Box<dyn Tracer>; 5] = [
         Box::new(indexed::<Exhaustive>(&mesh, Quality::Medium)),
         Box::new(indexed::<BoundingBall>(&mesh, Quality::Medium)),
         Box::new(indexed::<Bvh>(&mesh, Quality::Medium)),
         Box::new(indexed::<CompressedWideBvh>(&mesh, Quality::Medium)),
+        Box::new(indexed::<Bvh8>(&mesh, Quality::Medium)),
     ];
     for tracer in tracers {
         assert_eq!(trace(tracer.as_ref(), &rays), (vec![Hit::MISS], vec![false]));

@@ -41,6 +41,9 @@ fn every_plot_is_there_and_named() {
         assert_eq!(page.matches(&format!(": {title}")).count() / 3, 2, "{title}");
     }
     assert!(page.contains("hall: view rays against triangles"));
+    assert!(
+        page.contains("bunny: noise against time") && page.contains("hall: noise against time")
+    );
     assert_eq!(
         page.matches("<svg").count(),
         page.matches("role=\"img\" aria-label=").count()

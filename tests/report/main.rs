@@ -6,5 +6,6 @@ mod baseline;
 mod html;
 mod same_numbers;
 mod sample;
+mod sampling_numbers;
 mod schema;
 mod text;

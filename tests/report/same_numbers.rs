@@ -8,13 +8,13 @@ use srt::report::{csv, html, json, markdown};
 
 use crate::sample;
 
-fn derived(comparison: &Comparison) -> Value {
+pub(crate) fn derived(comparison: &Comparison) -> Value {
     let text = json::write(comparison).unwrap();
     serde_json::from_str::<Value>(&text).unwrap()["derived"].clone()
 }
 
 /// The lines of cells of all Markdown tables, headings and rules left out.
-fn markdown_rows(text: &str) -> Vec<Vec<String>> {
+pub(crate) fn markdown_rows(text: &str) -> Vec<Vec<String>> {
     let lines: Vec<&str> = text.lines().collect();
     let is_rule = |line: &str| line.starts_with("|--");
     let is_body = |i: &usize| {
@@ -71,14 +71,14 @@ fn printed(text: &str) -> (f64, f64) {
     (digits.parse().unwrap_or_else(|_| panic!("no number: {text}")), half * (1.0 + 1e-9))
 }
 
-fn assert_printed(text: &str, value: &Value) {
+pub(crate) fn assert_printed(text: &str, value: &Value) {
     let (number, half) = printed(text);
     let value = value.as_f64().unwrap();
     assert!((number - value).abs() <= half, "{text} is printed for {value}");
 }
 
 /// `median (low–high)` against an estimate of the JSON.
-fn assert_estimate(text: &str, estimate: &Value) {
+pub(crate) fn assert_estimate(text: &str, estimate: &Value) {
     let Some((median, interval)) = text.split_once(" (") else {
         assert!(estimate["interval"].is_null());
         return assert_printed(text, &estimate["median"]);
@@ -150,6 +150,11 @@ fn csv_has_every_figure_of_the_json() {
                     same(row["boxes_per_ray"], &class["boxes_per_ray"]);
                     same(row["rounds"], &class["ns_per_ray"]["rounds"]);
                     same(row["bytes_per_triangle"], &structure["bytes_per_triangle"]);
+                    for name in
+                        ["instructions_per_cycle", "branch_misses_per_ray", "cache_misses_per_ray"]
+                    {
+                        same(row[name], &class[name]["median"]);
+                    }
                     same(row["build_all_threads_ns"], &structure["build_all_threads_ns"]["median"]);
                 }
             }
@@ -158,13 +163,13 @@ fn csv_has_every_figure_of_the_json() {
     }
 }
 
-fn csv_estimate(row: &HashMap<&str, &str>, name: &str, estimate: &Value) {
+pub(crate) fn csv_estimate(row: &HashMap<&str, &str>, name: &str, estimate: &Value) {
     same(row[name], &estimate["median"]);
     same(row[format!("{name}_low").as_str()], &estimate["interval"]["low"]);
     same(row[format!("{name}_high").as_str()], &estimate["interval"]["high"]);
 }
 
 /// The same number to the last bit; empty where the JSON has none.
-fn same(text: &str, value: &Value) {
+pub(crate) fn same(text: &str, value: &Value) {
     assert_eq!(text.parse::<f64>().ok(), value.as_f64(), "{text} for {value}");
 }

@@ -10,7 +10,8 @@ fn the_verdict_is_one_plain_sentence() {
     assert_eq!(
         verdict(&sample::full()),
         "bvh traces view rays of bunny 431\u{a0}× (95\u{a0}%\u{a0}428–433) as fast as none; \
-         pictures equal bit for bit."
+         1 of 2 pictures proved equal bit for bit, 1 not compared whole: hall (no picture from \
+         `none`)."
     );
     assert_eq!(
         verdict(&sample::partial()),
@@ -46,6 +47,37 @@ fn the_verdict_does_not_praise_what_is_slower() {
 }
 
 #[test]
+fn the_verdict_says_of_how_many_pictures_it_is_true() {
+    let mut comparison = sample::full();
+    comparison.scenes.truncate(1);
+    assert!(verdict(&comparison).ends_with("; pictures equal bit for bit."));
+    // A picture without a hash is not the whole one.
+    comparison.scenes[0].proof.as_mut().unwrap().structures[1].picture_hash = None;
+    let text = verdict(&comparison);
+    let end = "; 0 of 1 pictures proved equal bit for bit, 1 not compared whole: bunny (a smaller \
+               one from `ball`).";
+    assert!(text.ends_with(end), "{text}");
+    let smaller = comparison.scenes[0].clone();
+    comparison.scenes.extend([smaller.clone(), smaller.clone(), smaller]);
+    assert!(verdict(&comparison).ends_with("(a smaller one from `ball`) and 1 more."));
+}
+
+#[test]
+fn the_verdict_without_scenes_speaks_of_growth() {
+    let mut comparison = sample::full();
+    comparison.scenes.clear();
+    let text = verdict(&comparison);
+    let parts = [
+        "traces view rays of hall with ",
+        " triangles fastest, in ",
+        " each; its cost grows \
+                 with the power ",
+        " of the number of triangles; no pictures were compared.",
+    ];
+    assert!(parts.iter().all(|part| text.contains(part)), "{text}");
+}
+
+#[test]
 fn the_terminal_has_a_line_for_each_structure() {
     insta::assert_snapshot!(terminal::write(&sample::full()));
     insta::assert_snapshot!(terminal::write(&sample::partial()));
@@ -62,7 +94,7 @@ fn markdown_says_what_should_be_doubted() {
     for sentence in [
         "The governor was powersave, not performance",
         "its load was 3.50",
-        "Files had changed since the commit",
+        "Sources had changed since the commit",
         "none was not measured in hall; ratios there are to ball.",
         "The hall was generated with seed 1.",
         "too slow after 500\u{a0}ms",
@@ -78,4 +110,14 @@ fn text_of_the_record_breaks_no_table() {
     let text = markdown::write(&sample::partial());
     assert!(text.contains("failed: the build ran out of \\| memory &lt;here&gt;"));
     assert!(text.contains("**Partial:"));
+}
+
+#[test]
+fn the_chapter_on_sampling_has_a_verdict() {
+    let text = terminal::write(&sample::full());
+    let line = text.lines().last().unwrap();
+    assert!(line.starts_with("Sampling: shuffled leaves 0.57"), "{line}");
+    assert!(line.contains("× the noise of independent with 16 view samples and 0.5"), "{line}");
+    assert!(line.contains("(the median of 2 scenes), and takes 0.2"), "{line}");
+    assert!(!terminal::write(&sample::partial()).contains("Sampling"));
 }

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::record::statistics::{Estimate, estimate, million_per_second, paired_ratio};
-use crate::record::{ClassRecord, RayClass, Round};
+use crate::record::{ClassRecord, HardwareCounters, RayClass, Round};
 
 /// What a class of rays took with a structure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -22,6 +22,12 @@ pub struct ClassFigures {
     pub ns_per_ray: Option<Estimate>,
     /// Processor time of a ray in nanoseconds, all threads together.
     pub cpu_ns_per_ray: Option<Estimate>,
+    /// Instructions in a clock cycle, where the processor counted both.
+    pub instructions_per_cycle: Option<Estimate>,
+    /// Wrongly predicted branches a ray, where the processor counted them.
+    pub branch_misses_per_ray: Option<Estimate>,
+    /// Reads that missed the last cache a ray, where the processor counted them.
+    pub cache_misses_per_ray: Option<Estimate>,
     /// Millions of rays a second.
     pub million_rays_per_second: Option<Estimate>,
     /// How many times as fast as the scene's base, ray for ray.
@@ -40,6 +46,11 @@ pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> Cl
         primitives_per_ray: own.primitives.and_then(per_ray),
         ns_per_ray,
         cpu_ns_per_ray: cpu_ns_per_ray(own),
+        instructions_per_cycle: counted(own, |counts| {
+            quotient(counts.instructions? as f64, counts.cycles? as f64)
+        }),
+        branch_misses_per_ray: counted(own, |counts| per_ray(counts.branch_misses?)),
+        cache_misses_per_ray: counted(own, |counts| per_ray(counts.cache_misses?)),
         million_rays_per_second: ns_per_ray.and_then(rate),
         speedup: base.and_then(|base| speedup(base, own)),
     }
@@ -68,6 +79,16 @@ fn speedup(base: &ClassRecord, own: &ClassRecord) -> Option<Estimate> {
 fn cpu_ns_per_ray(class: &ClassRecord) -> Option<Estimate> {
     let per_ray = |round: &Round| quotient(round.cpu_ns? as f64, class.rays as f64);
     let rounds: Option<Vec<f64>> = class.rounds.iter().map(per_ray).collect();
+    estimate(&rounds?)
+}
+
+/// The estimate of something that the processor counted, if it did so in every round.
+fn counted(
+    class: &ClassRecord,
+    value: impl Fn(&HardwareCounters) -> Option<f64>,
+) -> Option<Estimate> {
+    let of_round = |round: &Round| value(round.hardware.as_ref()?);
+    let rounds: Option<Vec<f64>> = class.rounds.iter().map(of_round).collect();
     estimate(&rounds?)
 }
 
@@ -101,6 +122,36 @@ mod tests {
         assert_eq!(figures.speedup.unwrap().median, 4.0);
         assert_eq!((figures.hit_share, figures.boxes_per_ray), (Some(0.25), Some(3.0)));
         assert_eq!((figures.primitives_per_ray, figures.cpu_ns_per_ray), (None, None));
+    }
+
+    #[test]
+    fn what_the_processor_counted_is_set_against_cycles_and_rays() {
+        let mut class = class(1_000, &[5_000; 6]);
+        for (round, n) in class.rounds.iter_mut().zip(0..) {
+            round.hardware = Some(HardwareCounters {
+                cycles: Some(20_000 + 10 * n),
+                instructions: Some(50_000 + 25 * n),
+                branch_misses: Some(1_500),
+                cache_misses: None,
+            });
+        }
+        let figures = class_figures(&class, None);
+        let ipc = figures.instructions_per_cycle.unwrap();
+        assert_eq!((ipc.median, ipc.rounds), (2.5, 6));
+        assert_eq!(figures.branch_misses_per_ray.unwrap().median, 1.5);
+        assert_eq!(figures.cache_misses_per_ray, None, "not granted");
+        class.rounds[3].hardware = None;
+        let figures = class_figures(&class, None);
+        assert_eq!(figures.instructions_per_cycle, None, "not granted in every round");
+        class.rounds =
+            vec![Round { hardware: Some(HardwareCounters::default()), wall_ns: 1, cpu_ns: None }];
+        assert_eq!(class_figures(&class, None).branch_misses_per_ray, None);
+        class.rounds[0].hardware = Some(HardwareCounters {
+            cycles: Some(0),
+            instructions: Some(0),
+            ..HardwareCounters::default()
+        });
+        assert_eq!(class_figures(&class, None).instructions_per_cycle, None, "never ran");
     }
 
     #[test]

@@ -4,8 +4,10 @@
 //! [`statistics`](super::statistics).
 
 mod class;
+mod noise;
 mod operation;
 mod scene;
+mod share;
 mod sweep;
 
 use serde::Serialize;
@@ -14,8 +16,10 @@ use super::Comparison;
 
 pub use class::ClassFigures;
 pub(super) use class::wall_ns_per_ray;
+pub use noise::{NoiseFigures, Pairing};
 pub use operation::OperationFigures;
 pub use scene::{SceneFigures, StructureFigures};
+pub use share::ShareFigures;
 pub use sweep::{SweepCurve, SweepFigures, SweepValue};
 
 /// What follows from a [`Comparison`].
@@ -27,6 +31,10 @@ pub struct Derived {
     pub sweeps: Vec<SweepFigures>,
     /// One for each operation of the chapter on sampling, in the record's order.
     pub operations: Vec<OperationFigures>,
+    /// One for each part of a frame in the chapter on sampling, in the record's order.
+    pub shares: Vec<ShareFigures>,
+    /// The noise that each method of sampling leaves, for equal samples and for equal time.
+    pub noise: Vec<NoiseFigures>,
 }
 
 impl Derived {
@@ -34,11 +42,15 @@ impl Derived {
     #[must_use]
     pub fn of(comparison: &Comparison) -> Self {
         let scene = |scene| SceneFigures::of(scene, &comparison.base);
-        let operations = comparison.sampling.iter().flat_map(|chapter| &chapter.costs);
+        let chapter = comparison.sampling.as_ref();
+        let operations = chapter.iter().flat_map(|chapter| &chapter.costs);
+        let operations: Vec<_> = operations.map(OperationFigures::of).collect();
         Self {
             scenes: comparison.scenes.iter().map(scene).collect(),
             sweeps: comparison.sweeps.iter().map(SweepFigures::of).collect(),
-            operations: operations.map(OperationFigures::of).collect(),
+            shares: chapter.map(|c| share::shares(c, &operations)).unwrap_or_default(),
+            noise: chapter.map(|c| noise::noise(&c.noise)).unwrap_or_default(),
+            operations,
         }
     }
 }

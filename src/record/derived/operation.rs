@@ -11,7 +11,7 @@ use crate::record::statistics::{Estimate, estimate};
 pub struct OperationFigures {
     /// What it is.
     pub operation: String,
-    /// Wall time of doing it once, in nanoseconds.
+    /// Processor time of doing it once, in nanoseconds.
     pub ns: Option<Estimate>,
 }
 

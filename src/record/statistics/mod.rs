@@ -6,10 +6,12 @@
 
 mod estimate;
 mod growth;
+mod interpolate;
 mod ratio;
 mod tradeoff;
 
 pub use estimate::{Estimate, INTERVAL_ROUNDS, Interval, RESAMPLES, estimate, median};
 pub use growth::{PowerLaw, log_log_fit};
+pub use interpolate::log_log_interpolate;
 pub use ratio::{paired_ratio, unpaired_ratio};
 pub use tradeoff::{BreakEven, Cost, break_even, million_per_second, pareto_front};

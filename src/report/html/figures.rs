@@ -4,7 +4,8 @@ use maud::Markup;
 
 use super::Page;
 use crate::record::derived::{
-    ClassFigures, SceneFigures, StructureFigures, SweepCurve, SweepFigures,
+    ClassFigures, Derived, NoiseFigures, Pairing, SceneFigures, StructureFigures, SweepCurve,
+    SweepFigures,
 };
 use crate::record::statistics::{BreakEven, Cost, Estimate};
 use crate::record::{RayClass, SceneRecord};
@@ -178,6 +179,51 @@ fn points(page: &Page<'_>, structure: &str, name: String, points: Vec<(f64, f64)
         line: Vec::new(),
         dashed: false,
     }
+}
+
+/// The scenes whose noise was measured, in the record's order.
+pub(super) fn noise_scenes(derived: &Derived) -> Vec<&str> {
+    let mut scenes: Vec<&str> = derived.noise.iter().map(|own| own.scene.as_str()).collect();
+    scenes.dedup();
+    scenes
+}
+
+/// Noise against time, a line for each method of sampling.
+pub(super) fn noise(derived: &Derived, scene: &str) -> Option<Markup> {
+    let is_measured = |own: &&NoiseFigures| own.pairing == Pairing::EqualSamples;
+    let measured = || derived.noise.iter().filter(is_measured);
+    let mut methods: Vec<&str> = Vec::new();
+    for own in measured() {
+        if !methods.contains(&own.sampling.as_str()) {
+            methods.push(&own.sampling);
+        }
+    }
+    let series = methods.into_iter().enumerate().map(|(number, method)| {
+        let own = measured().filter(|own| own.scene == scene && own.sampling == method);
+        let own: Vec<&NoiseFigures> = own.collect();
+        let points: Vec<_> = own.iter().map(|own| (own.ns.median, own.rmse.median)).collect();
+        XySeries {
+            series: number,
+            name: method.to_owned(),
+            intervals: own.iter().map(|own| own.rmse.interval.map(|i| (i.low, i.high))).collect(),
+            line: points.clone(),
+            points,
+            dashed: false,
+        }
+    });
+    XyPlot {
+        title: format!("{scene}: noise against time"),
+        meaning: "The noise that is left in frames with growing numbers of view samples, against \
+                  the time of a frame on one thread, for each method of sampling; less is better \
+                  in both."
+            .to_owned(),
+        x: Ends { label: "processor time of a frame (logarithmic)", units: TIME },
+        y: Ends { label: "RMSE to a converged picture (logarithmic)", units: &[] },
+        series: series.collect(),
+        path: Vec::new(),
+        rings: Vec::new(),
+    }
+    .draw()
 }
 
 /// Leaves by size, of those structures that have more than one.

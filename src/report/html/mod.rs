@@ -14,6 +14,7 @@ use std::collections::BTreeMap;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::limits::limits;
+use super::sampling_verdict::sampling_verdict;
 use super::tables;
 use super::verdict::verdict_of;
 use crate::record::derived::Derived;
@@ -124,7 +125,7 @@ fn proof(page: &Page<'_>) -> Markup {
     html! {
         section id="proof" {
             h2 { "Proof" }
-            p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit." }
+            p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit. (A yardstick, another program's, need not.)" }
             @for (scene, proof) in scenes {
                 @let mut own = tables::proof_table(proof);
                 @let () = own.title.clone_from(&scene.name);
@@ -177,8 +178,14 @@ fn sampling(page: &Page<'_>) -> Markup {
         @if let Some(chapter) = &page.comparison.sampling {
             section id="sampling" {
                 h2 { "Sampling" }
-                p { "What random numbers and shuffling cost, and what they bring. The default is " strong { (chapter.default) } "." }
-                @for own in tables::sampling_tables(chapter, &page.derived.operations) { (table(&own)) }
+                p {
+                    @if let Some(verdict) = sampling_verdict(page.comparison, &page.derived) { (verdict) " " }
+                    "The default is " strong { (chapter.default) } "."
+                }
+                @for scene in figures::noise_scenes(&page.derived) {
+                    @if let Some(plot) = figures::noise(&page.derived, scene) { (plot) }
+                }
+                @for own in tables::sampling_tables(chapter, &page.derived) { (table(&own)) }
             }
         }
     }

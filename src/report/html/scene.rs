@@ -22,6 +22,8 @@ pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) 
             p class="hash" { "Scene: SHA-256 " code { (scene.hash) } }
             (pictures::strip(page, scene))
             (table(&tables::ray_table(own)))
+            @let hardware = tables::hardware_table(own);
+            @if !hardware.rows.is_empty() { (table(&hardware)) }
             (plots([figures::speedups(page, own), figures::rates(page, own)]))
             (table(&tables::structure_table(scene, own)))
             (plots([figures::leaves(page, scene), figures::pareto(page, own)]))

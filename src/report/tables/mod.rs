@@ -13,7 +13,9 @@ pub(super) use growth::growth_tables;
 pub(super) use rounds::round_table;
 pub(super) use run::facts;
 pub(super) use sampling::sampling_tables;
-pub(super) use scene::{picture_table, proof_table, ray_table, structure_table};
+pub(super) use scene::{
+    agreement, hardware_table, picture_table, proof_table, ray_table, structure_table,
+};
 
 use super::numbers::{self, NOTHING};
 use crate::record::statistics::Estimate;

@@ -1,20 +1,44 @@
 //! The tables of the chapter on sampling.
 
 use super::{Cell, Table};
-use crate::record::derived::OperationFigures;
-use crate::record::{Pairing, SamplingChapter};
+use crate::record::derived::{Derived, NoiseFigures, OperationFigures, Pairing, ShareFigures};
+use crate::record::statistics::Estimate;
+use crate::record::{ConvergedPicture, FramePart, SamplingChapter};
 use crate::report::numbers;
 
-/// Costs, shares of a frame, noise.
+/// Costs, shares of a frame, noise, and what it was measured against.
 pub(in crate::report) fn sampling_tables(
     chapter: &SamplingChapter,
-    operations: &[OperationFigures],
+    derived: &Derived,
 ) -> Vec<Table> {
-    vec![costs(operations), shares(chapter), noise(chapter)]
+    vec![
+        costs(&derived.operations),
+        shares(&chapter.parts, &derived.shares),
+        noise(
+            "Noise that is left by equal samples",
+            "Root of the mean squared difference to a converged picture, in linear units; medians \
+             of frames with different random numbers. The time is that of the processor, on one \
+             thread. In each round both methods trace the same \
+             view rays, and the ratio is the median of the rounds' ratios.",
+            Pairing::EqualSamples,
+            &derived.noise,
+        ),
+        noise(
+            "Noise that is left after equal time",
+            "The times are those of shuffled frames as they were measured. The noise of \
+             independent samples at these times, and how many samples that would be, are \
+             interpolated between their measured frames, on logarithmic axes. Times beyond these \
+             are left out.",
+            Pairing::EqualTime,
+            &derived.noise,
+        ),
+        converged(&chapter.converged),
+    ]
 }
 
 fn costs(operations: &[OperationFigures]) -> Table {
-    let mut table = Table::new("What an operation costs", "", &["Operation", "#Time", "#Rounds"]);
+    let note = "In batches on one thread, in interleaved rounds.";
+    let mut table = Table::new("What an operation costs", note, &["Operation", "#Time", "#Rounds"]);
     let row = |figures: &OperationFigures| {
         vec![
             Cell::text(&figures.operation),
@@ -26,44 +50,79 @@ fn costs(operations: &[OperationFigures]) -> Table {
     table
 }
 
-fn shares(chapter: &SamplingChapter) -> Table {
-    let mut table = Table::new("Share of a frame", "", &["Scene", "Part", "#Share"]);
-    table.rows = chapter
-        .shares
-        .iter()
-        .map(|share| {
-            vec![
-                Cell::text(&share.scene),
-                Cell::text(&share.part),
-                Cell::text(numbers::percent(share.share)),
-            ]
-        })
-        .collect();
+fn shares(parts: &[FramePart], shares: &[ShareFigures]) -> Table {
+    let heads = ["Scene", "Sampling", "#View samples", "Part", "#Times in a frame", "#Share"];
+    let note = "How often a frame does it, times what it costs in a batch, over the median \
+                processor time of the frame on one thread. Between a renderer's other work it may cost more.";
+    let mut table = Table::new("Share of a frame", note, &heads);
+    let row = |(part, figures): (&FramePart, &ShareFigures)| {
+        vec![
+            Cell::text(&part.scene),
+            Cell::text(&part.sampling),
+            Cell::text(part.pixel_samples.to_string()),
+            Cell::text(&part.operation),
+            Cell::text(numbers::whole(part.count)),
+            Cell::of(figures.share, numbers::small_percent),
+        ]
+    };
+    table.rows = parts.iter().zip(shares).map(row).collect();
     table
 }
 
-fn noise(chapter: &SamplingChapter) -> Table {
-    let heads = ["Scene", "Equal", "Sampling", "#View samples", "#Light samples", "#Time", "#RMSE"];
-    let note = "Root of the mean squared difference to a converged picture, in linear units.";
-    let mut table = Table::new("Noise that is left", note, &heads);
-    table.rows = chapter
-        .noise
-        .iter()
-        .map(|point| {
-            let equal = match point.pairing {
-                Pairing::EqualSamples => "samples",
-                Pairing::EqualTime => "time",
-            };
-            vec![
-                Cell::text(&point.scene),
-                Cell::text(equal),
-                Cell::text(&point.sampling),
-                Cell::text(point.pixel_samples.to_string()),
-                Cell::text(point.light_samples.to_string()),
-                Cell::text(numbers::time(point.seconds * 1e9)),
-                Cell::text(numbers::figures(point.rmse)),
-            ]
-        })
-        .collect();
+fn noise(title: &str, note: &str, pairing: Pairing, noise: &[NoiseFigures]) -> Table {
+    let heads = [
+        "Scene",
+        "Sampling",
+        "#View samples",
+        "#Light samples",
+        "#Time",
+        "#RMSE",
+        "#× independent",
+        "#Rounds",
+    ];
+    let mut table = Table::new(title, note, &heads);
+    let row = |figures: &NoiseFigures| {
+        vec![
+            Cell::text(&figures.scene),
+            Cell::text(&figures.sampling),
+            Cell::text(samples(figures.pixel_samples)),
+            Cell::text(figures.light_samples.to_string()),
+            Cell::time(Some(figures.ns)),
+            rmse(figures.rmse),
+            Cell::estimate(figures.ratio),
+            Cell::text(figures.rmse.rounds.to_string()),
+        ]
+    };
+    table.rows = noise.iter().filter(|own| own.pairing == pairing).map(row).collect();
+    table
+}
+
+/// Whole numbers as such, others as they are rounded everywhere.
+fn samples(n: f64) -> String {
+    if n.fract() == 0.0 { format!("{n}") } else { numbers::figures(n) }
+}
+
+fn rmse(estimate: Estimate) -> Cell {
+    Cell::estimate(Some(estimate))
+}
+
+fn converged(pictures: &[ConvergedPicture]) -> Table {
+    let heads = ["Scene", "#Width", "#Height", "#Renderings", "#View", "#Light", "#Own RMSE"];
+    let note = "The mean of renderings with independent samples, so many view samples a pixel and \
+                light samples for each in every one. Its own noise, by how they differ, is within \
+                all noise above.";
+    let mut table = Table::new("Converged pictures", note, &heads);
+    let row = |picture: &ConvergedPicture| {
+        vec![
+            Cell::text(&picture.scene),
+            Cell::text(picture.width.to_string()),
+            Cell::text(picture.height.to_string()),
+            Cell::text(picture.passes.to_string()),
+            Cell::text(picture.pixel_samples.to_string()),
+            Cell::text(picture.light_samples.to_string()),
+            Cell::text(numbers::figures(picture.rmse)),
+        ]
+    };
+    table.rows = pictures.iter().map(row).collect();
     table
 }

@@ -3,7 +3,9 @@
 use super::{Cell, Table};
 use crate::record::derived::{ClassFigures, SceneFigures, StructureFigures};
 use crate::record::statistics::BreakEven;
-use crate::record::{Proof, SceneRecord, Status, StructureProof, StructureRecord};
+use crate::record::{
+    Proof, SceneRecord, Shape, Status, StructureProof, StructureRecord, YardstickProof,
+};
 use crate::report::numbers;
 
 /// That the answers are equal.
@@ -18,7 +20,35 @@ pub(in crate::report) fn proof_table(proof: &Proof) -> Table {
     ];
     let mut table = Table::new("Proof", "", &heads);
     table.rows = proof.structures.iter().map(|entry| proof_row(entry, &proof.reference)).collect();
+    if !proof.yardsticks.is_empty() {
+        table.note = YARDSTICK_NOTE.to_owned();
+        table.rows.extend(proof.yardsticks.iter().map(yardstick_row));
+    }
     table
+}
+
+/// What a reader must know of yardsticks.
+const YARDSTICK_NOTE: &str = "A yardstick is not held to equality: its formulas are its own, so its \
+                              hits and pictures differ in their last bits. Its answers agree where \
+                              they name the same primitive, or a distance that is nearly the same.";
+
+fn yardstick_row(entry: &YardstickProof) -> Vec<Cell> {
+    let differing = entry.rays_checked - entry.rays_agreeing;
+    vec![
+        Cell::text(&entry.structure),
+        Cell::text(agreement(entry)),
+        Cell::text("–"),
+        Cell::text("–"),
+        Cell::text(numbers::whole(entry.rays_checked)),
+        Cell::text(format!("{} disagree", numbers::whole(differing))),
+    ]
+}
+
+/// How a yardstick agrees, in words.
+pub(in crate::report) fn agreement(entry: &YardstickProof) -> String {
+    // Rounded down: 100 % are all.
+    let percent = entry.share().map(|share| (share * 1e6).floor() / 1e4);
+    percent.map_or_else(|| "a yardstick".to_owned(), |p| format!("a yardstick: {p} % agree"))
 }
 
 fn proof_row(entry: &StructureProof, reference: &str) -> Vec<Cell> {
@@ -55,8 +85,13 @@ pub(in crate::report) fn structure_table(scene: &SceneRecord, figures: &SceneFig
         "#SAH cost",
         "#EPO",
     ];
-    let note = "Memory is that of the index without its primitives. Below a time stands the 95 % \
-                interval of its median.";
+    let note = format!(
+        "Memory is that of the index without its primitives. Below a time stands the 95 % interval \
+         of its median. SAH cost is what a ray pays by the surface area heuristic, EPO what one \
+         pays that ends on a surface, in boxes that the surface does not belong to; a test costs \
+         1.{}",
+        overlap_note(scene)
+    );
     let mut table = Table::new("Structures", note, &heads);
     let rows = scene.structures.iter().zip(&figures.structures);
     table.rows = rows.map(|(record, figures)| structure_row(record, figures)).collect();
@@ -79,8 +114,28 @@ fn structure_row(record: &StructureRecord, figures: &StructureFigures) -> Vec<Ce
         Cell::of(shape.map(|shape| shape.depth), |depth| depth.to_string()),
         Cell::of(figures.references_per_primitive, numbers::figures),
         Cell::of(shape.and_then(|shape| shape.sah_cost), numbers::figures),
-        Cell::of(shape.and_then(|shape| shape.epo), numbers::figures),
+        shape.and_then(overlap).unwrap_or_else(Cell::nothing),
     ]
+}
+
+/// End-point overlap, with its standard error where it was estimated.
+fn overlap(shape: &Shape) -> Option<Cell> {
+    let epo = shape.epo?;
+    let places = numbers::decimals(epo, 5);
+    let spread = shape.epo_standard_error.map(|error| format!("± {error:.places$}"));
+    Some(Cell { text: numbers::figures(epo), spread })
+}
+
+/// How many triangles end-point overlaps were estimated from.
+fn overlap_note(scene: &SceneRecord) -> String {
+    let samples = scene.structures.iter().find_map(|own| own.shape.as_ref()?.epo_samples);
+    samples.map_or_else(String::new, |samples| {
+        format!(
+            " EPO was estimated from {} that were chosen by area; behind ± stands its standard \
+             error.",
+            numbers::things(samples, "triangle")
+        )
+    })
 }
 
 /// A status in words.
@@ -137,6 +192,29 @@ fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
         Cell::estimate(class.speedup),
         Cell::of(class.ns_per_ray, |estimate| estimate.rounds.to_string()),
     ]
+}
+
+/// What the processor counted; without lines where it was not granted.
+pub(in crate::report) fn hardware_table(figures: &SceneFigures) -> Table {
+    let heads =
+        ["Class", "Structure", "#Instructions/cycle", "#Branch misses/ray", "#Cache misses/ray"];
+    let note = "Medians of rounds, each with its 95 % interval; cache misses are those of the last \
+                cache.";
+    let mut table = Table::new("Hardware counters", note, &heads);
+    for class in figures.classes() {
+        let rows = figures.structures.iter().filter_map(|s| Some((s, s.class(class)?)));
+        table.rows.extend(rows.filter_map(|(own, class)| hardware_row(&own.structure, class)));
+    }
+    table
+}
+
+fn hardware_row(structure: &str, class: &ClassFigures) -> Option<Vec<Cell>> {
+    let counted =
+        [class.instructions_per_cycle, class.branch_misses_per_ray, class.cache_misses_per_ray];
+    counted.iter().any(Option::is_some).then(|| {
+        let names = [Cell::text(class.class.name()), Cell::text(structure)];
+        names.into_iter().chain(counted.map(Cell::estimate)).collect()
+    })
 }
 
 /// Build and rendering together, and from when on a dearer build pays.

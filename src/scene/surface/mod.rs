@@ -123,20 +123,19 @@ impl Scene {
 /// point to `f32`; and what the trip of that point back to object space can move it by. The
 /// errors are vectors of bounds per axis; along the normal they are their product with |normal|.
 fn to_world(object: &Object, own: &SurfacePoint) -> (DVec3, DVec3, f64) {
-    let own_length = own.normal.length();
-    let (point, normal, round_trip) = match &object.transform {
-        Some(transform) => {
-            let point = transform.world_from_object.transform_point3(own.position);
-            (point, transform.normal_to_world * own.normal, transform.round_trip_error(point))
-        }
-        None => (own.position, own.normal, DVec3::ZERO),
+    let rounding = |point: DVec3| 2.0 * UNIT_ROUNDOFF * point.abs();
+    let Some(transform) = &object.transform else {
+        let clearance = own.clearance + own.normal.abs().dot(rounding(own.position));
+        return (own.position, own.normal, clearance);
     };
-    let length = normal.length();
-    let unit = normal / length;
+    let point = transform.world_from_object.transform_point3(own.position);
+    let normal = transform.normal_to_world * own.normal;
+    let length_recip = normal.length_recip();
+    let unit = normal * length_recip;
     // The inverse transpose shortens a normal by as much as distances along it grow.
-    let own_clearance = own.clearance * own_length / length;
-    let rounding = 2.0 * UNIT_ROUNDOFF * point.abs() + round_trip;
-    (point, unit, own_clearance + unit.abs().dot(rounding))
+    let own_clearance = own.clearance * length_recip;
+    let error = rounding(point) + transform.round_trip_error(point);
+    (point, unit, own_clearance + unit.abs().dot(error))
 }
 
 #[cfg(test)]

@@ -45,34 +45,55 @@ pub(super) fn sampling() -> SamplingChapter {
         count: 1_000_000,
         rounds_ns: times(ns * 1e6, 15, key),
     };
-    let share = |scene: &str, part: &str, share| FrameShare {
+    let part = |scene: &str, sampling: &str, operation: &str, count| FramePart {
         scene: scene.to_owned(),
-        part: part.to_owned(),
-        share,
-    };
-    let noise = |sampling: &str, pairing, pixel_samples, seconds, rmse| NoisePoint {
-        scene: "bunny".to_owned(),
         sampling: sampling.to_owned(),
-        pairing,
-        pixel_samples,
+        pixel_samples: 16,
+        operation: operation.to_owned(),
+        count,
+    };
+    let converged = |scene: &str, rmse| ConvergedPicture {
+        scene: scene.to_owned(),
+        width: 96,
+        height: 64,
+        passes: 24,
+        pixel_samples: 64,
         light_samples: 4,
-        seconds,
         rmse,
     };
     SamplingChapter {
-        costs: vec![cost("a random number", 1.21, 201), cost("a shuffle of 64", 93.7, 202)],
-        shares: vec![
-            share("bunny", "random numbers", 0.0093),
-            share("bunny", "shuffling", 0.0214),
-            share("hall", "random numbers", 0.0048),
-            share("hall", "shuffling", 0.0121),
+        costs: vec![cost("a random number", 1.21, 201), cost("a shuffle of 16", 93.7, 202)],
+        parts: vec![
+            part("bunny", "shuffled", "a shuffle of 16", 12_288),
+            part("bunny", "independent", "a random number", 196_608),
+            part("hall", "shuffled", "a shuffle of 16", 24_576),
+            part("hall", "independent", "a random number", 393_216),
         ],
-        noise: vec![
-            noise("shuffled", Pairing::EqualSamples, 16, 1.432, 0.01211),
-            noise("independent", Pairing::EqualSamples, 16, 1.401, 0.01987),
-            noise("shuffled", Pairing::EqualTime, 16, 1.432, 0.01211),
-            noise("independent", Pairing::EqualTime, 16, 1.433, 0.01966),
-        ],
+        converged: vec![converged("bunny", 0.000_412), converged("hall", 0.000_731)],
+        noise: [("bunny", 3.1e7, 0.048), ("hall", 4.4e7, 0.071)]
+            .into_iter()
+            .flat_map(|(scene, ns, rmse)| noise_of(scene, ns, rmse))
+            .collect(),
         default: "shuffled".to_owned(),
     }
+}
+
+/// Noise that falls with the root of the samples, and faster where they are shuffled.
+fn noise_of(scene: &str, ns: f64, rmse: f64) -> Vec<NoisePoint> {
+    let point = |sampling: &str, cost: f64, slope: f64, pixel_samples: u32| {
+        let n = f64::from(pixel_samples);
+        let noise = times(rmse * n.powf(slope) * 1e9, 8, u64::from(pixel_samples));
+        NoisePoint {
+            scene: scene.to_owned(),
+            sampling: sampling.to_owned(),
+            pixel_samples,
+            light_samples: 1,
+            rounds_ns: times(ns * cost * n, 8, u64::from(pixel_samples) + 40),
+            rounds_rmse: noise.into_iter().map(|n| n as f64 / 1e9).collect(),
+        }
+    };
+    let curve = |sampling: &'static str, cost, slope| {
+        [1, 4, 16, 64].map(|n| point(sampling, cost, slope, n))
+    };
+    [curve("shuffled", 1.03, -0.7), curve("independent", 1.0, -0.5)].concat()
 }

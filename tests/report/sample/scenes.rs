@@ -44,6 +44,7 @@ fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRec
     let render_ms = kind.view.0 * 1.2;
     StructureRecord {
         name: kind.name.to_owned(),
+        yardstick: false,
         status: Status::Ok,
         build: BuildRecord {
             one_thread_ns: times(kind.build_ms * 1.8e6, 10, key + 50),
@@ -63,6 +64,8 @@ fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRec
             references: triangles,
             sah_cost: tree.then_some(38.412),
             epo: tree.then_some(2.871),
+            epo_standard_error: tree.then_some(0.034),
+            epo_samples: tree.then_some(20_000),
         }),
         classes: mixed.iter().enumerate().map(of_class).collect(),
         picture_rounds: times(render_ms * 1e6, 8, key + 60)
@@ -91,6 +94,12 @@ fn proof(structures: &[&str], key: u64) -> Proof {
     Proof {
         reference: structures[0].to_owned(),
         structures: structures.iter().map(entry).collect(),
+        yardsticks: vec![YardstickProof {
+            structure: "other".to_owned(),
+            rays_checked: 1_446_528,
+            rays_agreeing: 1_446_520,
+            close: 1e-4,
+        }],
     }
 }
 

@@ -1,0 +1,395 @@
+//! A tree of eight children a node, with kernels that trace many rays at once.
+//!
+//! The tree is obvhs's binary one with a primitive in each leaf, collapsed at the least cost
+//! (`collapse.rs`). Slices of rays go down it in packets where they are coherent (`packet.rs`) and
+//! in waves where they are not (`wave.rs`); a single ray is walked by [`Accel::traverse`], which is
+//! also the way of the rays that the kernels' terms cannot take.
+
+mod collapse;
+mod node;
+mod packet;
+mod slab_ray;
+mod wave;
+
+use std::cell::Cell;
+use std::ops::{ControlFlow, Range};
+
+use glam::{Vec3A, Vec4};
+use obvhs::bvh2::builder::build_bvh2;
+use smallvec::SmallVec;
+
+use crate::counters::Counters;
+use crate::math::{Aabb, BoxRay, Hit, Padding, Ray};
+use crate::simd::{Kernel, Simd, dispatch};
+
+use self::collapse::{Leaves, collapse};
+use self::node::{Child, Node, WIDTH};
+use super::{
+    Accel, Bounded, BuildConfig, Built, PACK, Packs, Primitives, StructureShape, Tree, blocked,
+    closest, obvhs_boxes,
+};
+
+/// The stack lives with the call up to this height, and on the heap beyond.
+const USUAL_HEIGHT: usize = 64;
+
+/// A wide tree of boxes.
+#[derive(Clone, Debug)]
+pub struct Bvh8 {
+    /// The root is the first; none if there are no primitives.
+    nodes: Vec<Node>,
+    /// Slots from the beginning of one block to that of the next.
+    block: usize,
+    /// The most entries that a stack holds at once, whatever the order of the children.
+    need: usize,
+}
+
+impl Accel for Bvh8 {
+    fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self> {
+        let packed = primitives.lanes() > 1;
+        let leaves = Leaves {
+            most: config.max_leaf.clamp(1, WIDTH as u32),
+            block: if packed { PACK } else { 1 },
+        };
+        if primitives.count() == 0 {
+            let accel = Self { nodes: Vec::new(), block: leaves.block, need: 0 };
+            return Built { accel, order: None };
+        }
+        let mut parameters = config.quality.parameters();
+        parameters.max_prims_per_leaf = 1;
+        let boxes = obvhs_boxes(primitives);
+        let tree = build_bvh2(&boxes, parameters, &mut std::time::Duration::default());
+        let wide = collapse(&tree, leaves);
+        let need = stack_need(&wide.nodes);
+        let accel = Self { nodes: wide.nodes, block: leaves.block, need };
+        Built { accel, order: Some(wide.order) }
+    }
+
+    #[inline]
+    fn traverse<C: Counters>(
+        &self,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        counters: &mut C,
+        mut leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
+    ) {
+        if self.nodes.is_empty() {
+            return;
+        }
+        let wide_ray = WideRay::new(ray, box_ray);
+        let mut end = ray.t_max;
+        let mut stack = SmallVec::<[(Child, f32); USUAL_HEIGHT]>::new();
+        stack.push((Child::node(0), ray.t_min));
+        while let Some((child, begin)) = stack.pop() {
+            if begin > end {
+                continue;
+            }
+            if child.is_leaf() {
+                let first = (child.block() * self.block) as u32;
+                match leaf(first..first + child.count(), counters) {
+                    ControlFlow::Continue(t) => end = t,
+                    ControlFlow::Break(()) => return,
+                }
+                continue;
+            }
+            let node = &self.nodes[child.index()];
+            counters.boxes(node.present().count() as u32);
+            let (begins, entered) = wide_ray.enter(node, end);
+            for word in node.orders() {
+                let lane = (word >> wide_ray.order_shift) as usize % WIDTH;
+                if entered >> lane & 1 != 0 {
+                    stack.push((Child(node.children()[lane]), begins[lane]));
+                }
+            }
+        }
+    }
+
+    fn intersect_many<P: Primitives, C: Counters>(
+        &self,
+        primitives: &P,
+        rays: &[Ray],
+        hits: &mut [Hit],
+        counters: &mut C,
+    ) {
+        match primitives.packs() {
+            Some(packs) if self.has_kernels() => {
+                let padding = primitives.padding();
+                let search = Search { tree: self, packs, padding };
+                dispatch(Closest { search, rays, hits, counters });
+            }
+            _ if primitives.are_few() => primitives.intersect_all(rays, hits, counters),
+            _ => {
+                for (ray, hit) in rays.iter().zip(hits) {
+                    *hit = closest(self, primitives, ray, counters);
+                }
+            }
+        }
+    }
+
+    fn occluded_many<P: Primitives, C: Counters>(
+        &self,
+        primitives: &P,
+        rays: &[Ray],
+        answers: &mut [bool],
+        counters: &mut C,
+    ) {
+        match primitives.packs() {
+            Some(packs) if self.has_kernels() => {
+                let padding = primitives.padding();
+                let search = Search { tree: self, packs, padding };
+                dispatch(Occluded { search, rays, answers, counters });
+            }
+            _ if primitives.are_few() => primitives.occluded_all(rays, answers, counters),
+            _ => {
+                for (ray, answer) in rays.iter().zip(answers) {
+                    *answer = blocked(self, primitives, ray, counters);
+                }
+            }
+        }
+    }
+
+    fn shape(&self) -> StructureShape {
+        let mut shape = StructureShape::default();
+        let mut open: Vec<_> = self.nodes.first().map(|root| (root, 0, 1.0)).into_iter().collect();
+        let root_area = self.nodes.first().map_or(0.0, |root| root.bounds().half_area());
+        let mut cost = 0.0;
+        // A node, its depth, and the share of the rays that meet it: by its area in the root's.
+        while let Some((node, depth, met)) = open.pop() {
+            shape.nodes += 1;
+            for (lane, child) in node.present() {
+                let share = node.child_bounds(lane).half_area() / root_area;
+                cost += met;
+                if child.is_leaf() {
+                    shape.add_leaf(child.count(), depth + 1);
+                    cost += share * f64::from(child.count());
+                } else {
+                    open.push((&self.nodes[child.index()], depth + 1, share));
+                }
+            }
+        }
+        shape.sah_cost = (cost.is_finite() && shape.nodes > 0).then_some(cost);
+        shape.bytes = (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()) as u64;
+        shape
+    }
+
+    fn tree(&self) -> Option<Tree> {
+        let bounds = self.nodes.first().map_or(Aabb::EMPTY, Node::bounds);
+        self.nodes.first()?;
+        Some(Tree::of((Child::node(0), bounds), |&(child, bounds), children| {
+            if child.is_leaf() {
+                let first = (child.block() * self.block) as u32;
+                return (bounds, first..first + child.count());
+            }
+            let node = &self.nodes[child.index()];
+            children.extend(node.present().map(|(lane, child)| (child, node.child_bounds(lane))));
+            (bounds, 0..0)
+        }))
+    }
+}
+
+impl Bvh8 {
+    /// Whether the kernels can be used: not for an empty tree, nor for one so deep that their
+    /// stacks would fill the memory.
+    fn has_kernels(&self) -> bool {
+        !self.nodes.is_empty() && self.need < 1 << 14
+    }
+}
+
+impl Node {
+    /// The box around all children.
+    fn bounds(&self) -> Aabb {
+        self.present().map(|(lane, _)| self.child_bounds(lane)).fold(Aabb::EMPTY, Aabb::union)
+    }
+}
+
+/// The most entries that a subtree can put on a stack: all of a node's children, or all but one
+/// and what that one puts there. Children stand behind their parents.
+fn stack_need(nodes: &[Node]) -> usize {
+    let mut need = vec![0; nodes.len()];
+    for (index, node) in nodes.iter().enumerate().rev() {
+        let inner = node.present().filter(|(_, child)| !child.is_leaf());
+        let deepest = inner.map(|(_, child)| need[child.index()]).max().unwrap_or(0);
+        let width = node.present().count();
+        need[index] = width.max(width - 1 + deepest);
+    }
+    need.first().copied().unwrap_or(0)
+}
+
+/// A ray as [`Accel::traverse`] tests it against eight boxes: exactly [`BoxRay::interval`].
+struct WideRay {
+    origins: [[Vec4; 2]; 3],
+    inv_dir: [Vec4; 3],
+    near_rows: [usize; 3],
+    order_shift: u32,
+    t_min: Vec4,
+}
+
+impl WideRay {
+    #[inline(always)]
+    fn new(ray: &Ray, box_ray: &BoxRay) -> Self {
+        let backwards = box_ray.inv_dir.cmplt(Vec3A::ZERO);
+        let near = Vec3A::select(backwards, box_ray.origin_minus, box_ray.origin_plus);
+        let far = Vec3A::select(backwards, box_ray.origin_plus, box_ray.origin_minus);
+        let octant = backwards.bitmask();
+        Self {
+            origins: std::array::from_fn(|axis| [Vec4::splat(near[axis]), Vec4::splat(far[axis])]),
+            inv_dir: std::array::from_fn(|axis| Vec4::splat(box_ray.inv_dir[axis])),
+            near_rows: std::array::from_fn(|axis| 2 * axis + (octant >> axis & 1) as usize),
+            order_shift: 3 * octant,
+            t_min: Vec4::splat(ray.t_min),
+        }
+    }
+
+    /// Where the ray enters each child, and a mask of those that it enters before `end`.
+    #[inline(always)]
+    fn enter(&self, node: &Node, end: f32) -> ([f32; WIDTH], u32) {
+        let mut begins = [0.0; WIDTH];
+        let mut entered = 0;
+        for half in [0, 4] {
+            let (mut begin, mut leave) = (self.t_min, Vec4::splat(end));
+            for axis in 0..3 {
+                let row = self.near_rows[axis];
+                let near = planes_of_half(node, row, half);
+                let far = planes_of_half(node, row ^ 1, half);
+                begin = begin.max((near - self.origins[axis][0]) * self.inv_dir[axis]);
+                leave = leave.min((far - self.origins[axis][1]) * self.inv_dir[axis]);
+            }
+            begin.write_to_slice(&mut begins[half..]);
+            entered |= begin.cmple(leave).bitmask() << half;
+        }
+        (begins, entered)
+    }
+}
+
+#[inline(always)]
+fn planes_of_half(node: &Node, row: usize, half: usize) -> Vec4 {
+    let plane = |lane: usize| node.plane(row, half + lane);
+    Vec4::new(plane(0), plane(1), plane(2), plane(3))
+}
+
+/// What a kernel searches.
+struct Search<'a, P> {
+    tree: &'a Bvh8,
+    packs: &'a P,
+    padding: Padding,
+}
+
+impl<P: Packs> Search<'_, P> {
+    /// Walks a ray by itself.
+    #[cold]
+    #[inline(never)]
+    fn alone<C: Counters, const ANY: bool>(
+        &self,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        counters: &mut C,
+    ) -> Hit {
+        let mut best = Hit::none_before(ray.t_max);
+        self.tree.traverse(ray, box_ray, counters, |slots, counters| {
+            counters.primitives(slots.len() as u32);
+            self.packs.closest_in_pack(slots.start as usize / PACK, ray, box_ray, &mut best);
+            if ANY && best.is_hit() {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(best.t)
+        });
+        if best.is_hit() { best } else { Hit::MISS }
+    }
+}
+
+/// The kernels' memory.
+struct Scratch {
+    wave: wave::Scratch,
+    packet: packet::Stack,
+    /// Rays that go down in waves, by their place in the slice.
+    scattered: Vec<u32>,
+}
+
+thread_local! {
+    /// Absent while it is used.
+    static SCRATCH: Cell<Option<Box<Scratch>>> = const { Cell::new(None) };
+}
+
+impl Scratch {
+    fn take() -> Box<Self> {
+        SCRATCH.take().unwrap_or_else(|| {
+            Box::new(Self {
+                wave: wave::Scratch::new(),
+                packet: packet::Stack::default(),
+                scattered: Vec::new(),
+            })
+        })
+    }
+}
+
+/// The closest hits of a slice of rays.
+struct Closest<'a, P, C> {
+    search: Search<'a, P>,
+    rays: &'a [Ray],
+    hits: &'a mut [Hit],
+    counters: &'a mut C,
+}
+
+/// Rays go down by sixteens where they are coherent, and what is left in waves.
+impl<P: Packs, C: Counters> Kernel for Closest<'_, P, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { search, rays, hits, counters } = self;
+        let mut scratch = Scratch::take();
+        let Scratch { wave, packet, scattered } = &mut *scratch;
+        scattered.clear();
+        let (packets, rest) = rays.as_chunks::<{ packet::RAYS }>();
+        let (of_packets, _) = hits.as_chunks_mut::<{ packet::RAYS }>();
+        for (number, (rays, hits)) in packets.iter().zip(of_packets).enumerate() {
+            let first = (number * packet::RAYS) as u32;
+            match packet::search::<S, P, C, false>(&search, rays, packet, counters) {
+                Some(best) => best.write(hits),
+                None => scattered.extend(first..first + packet::RAYS as u32),
+            }
+        }
+        scattered.extend((rays.len() - rest.len()) as u32..rays.len() as u32);
+        wave::search::<S, P, C, false>(&search, rays, scattered, wave, counters, |ray, hit| {
+            hits[ray as usize] = hit;
+        });
+        SCRATCH.set(Some(scratch));
+    }
+}
+
+/// Whether the rays of a slice hit anything.
+struct Occluded<'a, P, C> {
+    search: Search<'a, P>,
+    rays: &'a [Ray],
+    answers: &'a mut [bool],
+    counters: &'a mut C,
+}
+
+impl<P: Packs, C: Counters> Kernel for Occluded<'_, P, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { search, rays, answers, counters } = self;
+        let mut scratch = Scratch::take();
+        let Scratch { wave, packet, scattered } = &mut *scratch;
+        scattered.clear();
+        let (packets, rest) = rays.as_chunks::<{ packet::RAYS }>();
+        let (of_packets, _) = answers.as_chunks_mut::<{ packet::RAYS }>();
+        for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
+            let first = (number * packet::RAYS) as u32;
+            match packet::search::<S, P, C, true>(&search, rays, packet, counters) {
+                Some(best) => {
+                    for (ray, answer) in answers.iter_mut().enumerate() {
+                        *answer = best.hit >> ray & 1 != 0;
+                    }
+                }
+                None => scattered.extend(first..first + packet::RAYS as u32),
+            }
+        }
+        scattered.extend((rays.len() - rest.len()) as u32..rays.len() as u32);
+        wave::search::<S, P, C, true>(&search, rays, scattered, wave, counters, |ray, hit| {
+            answers[ray as usize] = hit.is_hit();
+        });
+        SCRATCH.set(Some(scratch));
+    }
+}

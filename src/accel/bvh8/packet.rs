@@ -1,0 +1,382 @@
+//! Packets: sixteen coherent rays go down the tree together.
+//!
+//! The packet as a whole is tested against a node's eight children at once, by intervals: the
+//! slab test with the smallest and the largest of the rays' terms bounds that of every ray from
+//! below and above, because each of its operations is monotone. Children, and primitives of a leaf,
+//! that the packet as a whole misses cost no more than that; the others are tested with a ray in
+//! each lane. After Boulos, Wald, Shirley: *Geometric and Arithmetic Culling Methods for Entire Ray
+//! Packets*, 2006.
+
+use crate::accel::{PACK, Packs};
+use crate::counters::Counters;
+use crate::math::{Hit, NONE, Padding, Ray};
+use crate::simd::{Lanes, Lanes3, Mask, Row, Simd, ones};
+
+use super::Search;
+use super::node::{Child, Node};
+use super::slab_ray::{LARGEST_PRODUCT, SLACK};
+
+/// Rays of a packet.
+pub(super) const RAYS: usize = 16;
+
+/// The stack of a packet, kept from call to call.
+#[derive(Default)]
+pub(super) struct Stack {
+    /// What is to be visited, and by which rays.
+    entries: Vec<(Child, u32)>,
+    /// Where each ray enters it.
+    begins: Vec<[f32; RAYS]>,
+}
+
+/// Sixteen rays of one octant, a ray in each lane.
+struct Packet<S: Simd> {
+    origin: Lanes3<S::F16>,
+    dir: Lanes3<S::F16>,
+    inv_dir: Lanes3<S::F16>,
+    /// The padded origins that near and far planes are measured from: `BoxRay`'s terms.
+    near: Lanes3<S::F16>,
+    far: Lanes3<S::F16>,
+    /// The offsets of [`Row::slab`].
+    near_offset: Lanes3<S::F16>,
+    far_offset: Lanes3<S::F16>,
+    t_min: S::F16,
+    octant: u32,
+    hull: Hull<S>,
+}
+
+/// What bounds the slab test of all rays of a packet.
+struct Hull<S: Simd> {
+    /// The padded origins that give the earliest entry and the latest exit.
+    near: Lanes3<S::F8>,
+    far: Lanes3<S::F8>,
+    /// The smallest and the largest inverse directions.
+    inv_dir: [Lanes3<S::F8>; 2],
+    t_min: S::F8,
+}
+
+/// The best hits so far.
+pub(super) struct Best<R> {
+    t: R,
+    u: R,
+    v: R,
+    /// Ids, as bits.
+    prim: [u32; RAYS],
+    /// A bit for each ray that has hit something.
+    pub(super) hit: u32,
+}
+
+impl<S: Simd> Packet<S> {
+    /// Lays out sixteen rays, or returns `None` if their directions are not all of one octant or
+    /// some are too small for the slab test's terms. Also returns the rays' ends.
+    #[inline(always)]
+    fn load(rays: &[Ray; RAYS], padding: Padding) -> Option<(Self, S::F16)> {
+        let rows = S::transpose(&rays.map(|ray| ray.to_array()));
+        let (origin, dir) = ([rows[0], rows[1], rows[2]], [rows[4], rows[5], rows[6]]);
+        let (one, zero) = (S::F16::splat(1.0), S::F16::splat(0.0));
+        let inv_dir = [one / dir[0], one / dir[1], one / dir[2]];
+        let mut octant = 0;
+        let mut mixed = false;
+        for (axis, inv) in inv_dir.iter().enumerate() {
+            let backwards = inv.le(zero).bits();
+            mixed |= backwards != 0 && backwards != ALL;
+            octant |= (backwards & 1) << axis;
+        }
+        // The operations of `BoxRay::new`, lane by lane.
+        let reach = origin[0].abs().max(origin[1].abs()).max(origin[2].abs());
+        let reach = S::F16::splat(padding.largest) + reach;
+        let pad = S::F16::splat(16.0 * f32::EPSILON * padding.factor) * reach;
+        let mut packet = Self {
+            origin,
+            dir,
+            inv_dir,
+            near: origin,
+            far: origin,
+            near_offset: origin,
+            far_offset: origin,
+            t_min: rows[3],
+            octant,
+            hull: Hull {
+                near: [S::F8::splat(0.0); 3],
+                far: [S::F8::splat(0.0); 3],
+                inv_dir: [[S::F8::splat(0.0); 3]; 2],
+                t_min: S::F8::splat(0.0),
+            },
+        };
+        packet.hull.t_min = S::F8::splat(packet.t_min.smallest());
+        let mut fits = ALL;
+        for axis in 0..3 {
+            let (plus, minus) = (origin[axis] + pad, origin[axis] - pad);
+            let backwards = octant >> axis & 1 != 0;
+            let (near, far) = if backwards { (minus, plus) } else { (plus, minus) };
+            let inv = inv_dir[axis];
+            let width = origin[axis].abs() + (S::F16::splat(padding.largest) + pad);
+            let product = width * inv.abs();
+            fits &= product.le(S::F16::splat(LARGEST_PRODUCT)).bits();
+            packet.near[axis] = near;
+            packet.far[axis] = far;
+            if S::FUSES {
+                let slack = product * S::F16::splat(SLACK) + S::F16::splat(f32::MIN_POSITIVE);
+                packet.near_offset[axis] = near * inv + slack;
+                packet.far_offset[axis] = far * inv - slack;
+            } else {
+                packet.near_offset[axis] = near;
+                packet.far_offset[axis] = far;
+            }
+            let (first, last) = if backwards {
+                (near.smallest(), far.largest())
+            } else {
+                (near.largest(), far.smallest())
+            };
+            packet.hull.near[axis] = S::F8::splat(first);
+            packet.hull.far[axis] = S::F8::splat(last);
+            packet.hull.inv_dir[0][axis] = S::F8::splat(inv.smallest());
+            packet.hull.inv_dir[1][axis] = S::F8::splat(inv.largest());
+        }
+        if mixed || fits != ALL {
+            return None;
+        }
+        Some((packet, rows[7]))
+    }
+
+    /// Whether the ray runs backwards along an axis: 0 or 1.
+    #[inline(always)]
+    fn backwards(&self, axis: usize) -> usize {
+        (self.octant >> axis & 1) as usize
+    }
+
+    /// What the intervals of all rays in a node's eight boxes lie in.
+    #[inline(always)]
+    fn hull_of_node(&self, node: &Node, end: S::F8) -> (S::F8, S::F8) {
+        let [x, y, z] = self.near_rows();
+        self.hull.interval(
+            [node.planes::<S>(x), node.planes::<S>(y), node.planes::<S>(z)],
+            [node.planes::<S>(x ^ 1), node.planes::<S>(y ^ 1), node.planes::<S>(z ^ 1)],
+            end,
+        )
+    }
+
+    /// The rows of a node's planes that are the near ones.
+    #[inline(always)]
+    fn near_rows(&self) -> [usize; 3] {
+        [self.backwards(0), 2 + self.backwards(1), 4 + self.backwards(2)]
+    }
+
+    /// Where a ray enters one of the planes that are near, or leaves one that are far.
+    #[inline(always)]
+    fn slab(&self, node: &Node, row: usize, lane: usize, offsets: &Lanes3<S::F16>) -> S::F16 {
+        let axis = row / 2 % 3;
+        let plane = S::F16::splat(node.plane(row, lane));
+        S::F16::slab(plane, self.inv_dir[axis], offsets[axis])
+    }
+
+    /// Where each ray enters and leaves a box.
+    #[inline(always)]
+    fn interval(&self, node: &Node, lane: usize, end: S::F16) -> (S::F16, S::F16) {
+        let [x, y, z] = self.near_rows();
+        let (near, far) = (&self.near_offset, &self.far_offset);
+        let begin = self.slab(node, x, lane, near).max(self.slab(node, y, lane, near));
+        let leave = self.slab(node, x ^ 1, lane, far).min(self.slab(node, y ^ 1, lane, far));
+        (
+            begin.max(self.slab(node, z, lane, near).max(self.t_min)),
+            leave.min(self.slab(node, z ^ 1, lane, far).min(end)),
+        )
+    }
+
+    /// A product of `BoxRay::interval`: of the near planes, or of the far ones.
+    #[inline(always)]
+    fn product(&self, plane: f32, origin: &Lanes3<S::F16>, axis: usize) -> S::F16 {
+        (S::F16::splat(plane) - origin[axis]) * self.inv_dir[axis]
+    }
+
+    /// Which rays' `t` lies in the interval of a primitive's own box: `BoxRay::accepts`.
+    #[inline(always)]
+    fn accepts(&self, corners: [[f32; 3]; 2], t: S::F16) -> u32 {
+        let [x, y, z] = [self.backwards(0), self.backwards(1), self.backwards(2)];
+        let (near, far) = (&self.near, &self.far);
+        let begin = self
+            .product(corners[x][0], near, 0)
+            .max(self.product(corners[y][1], near, 1))
+            .max(self.product(corners[z][2], near, 2));
+        let leave = self
+            .product(corners[x ^ 1][0], far, 0)
+            .min(self.product(corners[y ^ 1][1], far, 1))
+            .min(self.product(corners[z ^ 1][2], far, 2));
+        (begin.le(t) & t.le(leave)).bits()
+    }
+}
+
+impl<S: Simd> Hull<S> {
+    /// Along one axis: where the first ray enters planes.
+    #[inline(always)]
+    fn enter(&self, axis: usize, planes: S::F8) -> S::F8 {
+        let distance = planes - self.near[axis];
+        (distance * self.inv_dir[0][axis]).min(distance * self.inv_dir[1][axis])
+    }
+
+    /// Along one axis: where the last ray leaves planes.
+    #[inline(always)]
+    fn leave(&self, axis: usize, planes: S::F8) -> S::F8 {
+        let distance = planes - self.far[axis];
+        (distance * self.inv_dir[0][axis]).max(distance * self.inv_dir[1][axis])
+    }
+
+    /// What the intervals of all rays in eight boxes lie in.
+    #[inline(always)]
+    fn interval(&self, near: Lanes3<S::F8>, far: Lanes3<S::F8>, end: S::F8) -> (S::F8, S::F8) {
+        let begin = self.enter(0, near[0]).max(self.enter(1, near[1]));
+        let leave = self.leave(0, far[0]).min(self.leave(1, far[1]));
+        (
+            begin.max(self.enter(2, near[2]).max(self.t_min)),
+            leave.min(self.leave(2, far[2]).min(end)),
+        )
+    }
+}
+
+/// A bit for each ray.
+const ALL: u32 = (1 << RAYS) - 1;
+
+/// Finds the closest hits of sixteen rays, or with `ANY` which of them hit anything. Returns `None`,
+/// and has done nothing, if the rays are too different.
+#[inline(always)]
+pub(super) fn search<S: Simd, P: Packs, C: Counters, const ANY: bool>(
+    search: &Search<'_, P>,
+    rays: &[Ray; RAYS],
+    stack: &mut Stack,
+    counters: &mut C,
+) -> Option<Best<S::F16>> {
+    let (packet, ends) = Packet::<S>::load(rays, search.padding)?;
+    let zero = S::F16::splat(0.0);
+    let mut best = Best { t: ends, u: zero, v: zero, prim: [NONE; RAYS], hit: 0 };
+    let tree = search.tree;
+    let height = tree.need + PACK + 1;
+    if stack.entries.len() < height {
+        stack.entries.resize(height, (Child::ABSENT, 0));
+        stack.begins.resize(height, [0.0; RAYS]);
+    }
+    let (entries, begins) = (&mut stack.entries[..height], &mut stack.begins[..height]);
+    entries[0] = (Child::node(0), ALL);
+    begins[0] = [f32::NEG_INFINITY; RAYS];
+    let mut top = 1;
+    let mut end = S::F8::splat(best.t.largest());
+    let shift = 3 * packet.octant;
+    while top > 0 {
+        top -= 1;
+        let (child, mut active) = entries[top];
+        if ANY {
+            active &= !best.hit;
+        } else {
+            active &= S::F16::load(&begins[top]).le(best.t).bits();
+        }
+        if active == 0 {
+            continue;
+        }
+        if child.is_leaf() {
+            if C::COUNTS {
+                counters.primitives(child.count() * active.count_ones());
+            }
+            let before = best.hit;
+            test_leaf::<S, P, ANY>(&packet, search.packs, child.block(), active, end, &mut best);
+            if ANY && best.hit == ALL {
+                break;
+            }
+            if !ANY || best.hit != before {
+                end = S::F8::splat(best.t.largest());
+            }
+            continue;
+        }
+        let node = &tree.nodes[child.index()];
+        if C::COUNTS {
+            counters.boxes(node.present().count() as u32 * active.count_ones());
+        }
+        let (near, far) = packet.hull_of_node(node, end);
+        let crossed = near.le(far).bits();
+        for word in node.orders() {
+            let lane = (word >> shift) as usize % PACK;
+            if crossed >> lane & 1 == 0 {
+                continue;
+            }
+            let (near, far) = packet.interval(node, lane, best.t);
+            let entering = near.le(far).bits() & active;
+            entries[top] = (Child(node.children()[lane]), entering);
+            if !ANY {
+                near.store(&mut begins[top]);
+            }
+            top += usize::from(entering != 0);
+        }
+    }
+    Some(best)
+}
+
+/// Tests the primitives of a leaf that the packet as a whole does not miss.
+#[inline(always)]
+fn test_leaf<S: Simd, P: Packs, const ANY: bool>(
+    packet: &Packet<S>,
+    packs: &P,
+    block: usize,
+    active: u32,
+    end: S::F8,
+    best: &mut Best<S::F16>,
+) {
+    let boxes = packs.boxes::<S>(block);
+    let [x, y, z] = [packet.backwards(0), packet.backwards(1), packet.backwards(2)];
+    let (near, far) = packet.hull.interval(
+        [boxes[x][0], boxes[y][1], boxes[z][2]],
+        [boxes[x ^ 1][0], boxes[y ^ 1][1], boxes[z ^ 1][2]],
+        end,
+    );
+    let zero = S::F16::splat(0.0);
+    let mut active = active;
+    for lane in ones(near.le(far).bits()) {
+        let hit = packs.of_lane::<S>(block, lane, packet.origin, packet.dir);
+        let inside = zero.le(hit.u) & zero.le(hit.v) & (hit.u + hit.v).le(hit.det);
+        let inside = inside.bits() & active;
+        if inside == 0 {
+            continue;
+        }
+        let t = hit.t / hit.det;
+        let mut found = (packet.t_min.le(t) & t.le(best.t)).bits() & inside;
+        if found == 0 {
+            continue;
+        }
+        let bounds = packs.bounds(block, lane);
+        found &= packet.accepts([bounds.min.to_array(), bounds.max.to_array()], t);
+        if ANY {
+            best.hit |= found;
+            active &= !found;
+            if active == 0 {
+                return;
+            }
+            continue;
+        }
+        let prim = packs.id(block, lane);
+        // Equal parameters are rare: the smaller id goes before.
+        for ray in ones(best.t.le(t).bits() & found) {
+            if prim >= best.prim[ray] {
+                found &= !(1 << ray);
+            }
+        }
+        best.t = t.select(found, best.t);
+        best.u = (hit.u / hit.det).select(found, best.u);
+        best.v = (hit.v / hit.det).select(found, best.v);
+        best.hit |= found;
+        for ray in ones(found) {
+            best.prim[ray % RAYS] = prim;
+        }
+    }
+}
+
+impl<R: Row<RAYS>> Best<R> {
+    /// Writes the hits.
+    #[inline(always)]
+    pub(super) fn write(&self, hits: &mut [Hit; RAYS]) {
+        let mut rows = [[0.0; RAYS]; 3];
+        self.t.store(&mut rows[0]);
+        self.u.store(&mut rows[1]);
+        self.v.store(&mut rows[2]);
+        for (ray, hit) in hits.iter_mut().enumerate() {
+            let [t, u, v] = [rows[0][ray], rows[1][ray], rows[2][ray]];
+            let found = Hit { t, object: 0, prim: self.prim[ray], u, v };
+            *hit = if self.hit >> ray & 1 != 0 { found } else { Hit::MISS };
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! Small frames with either method and growing numbers of samples: their time and their noise.
+
+use std::time::Duration;
+
+use glam::DVec3;
+
+use crate::accel::Tracer;
+use crate::record::{FramePart, NoisePoint};
+use crate::render::{RayClass, Rendering, Sampling, Settings, Sight};
+use crate::scene::{Light, Scene};
+
+use crate::compare::Stage;
+use crate::compare::budget::Budget;
+use crate::compare::clock::timed;
+use crate::compare::pictures::render_with;
+use crate::compare::plan::fit;
+use crate::compare::rounds::{Repeat, interleaved};
+
+use super::converged::rmse;
+use super::operations::{self, Operation};
+
+/// View samples along each side of a pixel, for each point of the curves.
+const SIDES: [u32; 6] = [1, 2, 3, 4, 6, 8];
+
+/// The longer side of the frames in pixels, at least and at most.
+const SMALLEST: u32 = 16;
+const LARGEST: u32 = 96;
+
+/// Rounds that the size of the frames leaves time for.
+const ROUNDS: u32 = 8;
+
+/// The share of a scene's time that these rounds may take.
+const SHARE_OF_ROUNDS: f64 = 0.5;
+
+/// A method with a number of samples, and what its frames took and showed.
+pub(super) struct Frames {
+    settings: Settings,
+    /// Time in nanoseconds and noise of each frame.
+    rounds: Vec<(u64, f64)>,
+    /// What its light samples were asked for: surfaces that were hit.
+    surfaces: u64,
+}
+
+/// The size of a scene's frames, by what a small one takes; `None` if it is stopped.
+pub(super) fn settings(stage: &Stage<'_>, tracer: &dyn Tracer, budget: Budget) -> Option<Settings> {
+    let picture = stage.plan.picture.settings(stage.scene);
+    let sized = |side: u32| {
+        let [width, height] = fit([picture.width, picture.height], side);
+        Settings { width, height, crop: None, count: false, ..picture.clone() }
+    };
+    let probe = Settings { aa: 2, ..sized(SMALLEST) };
+    let time = (0..2)
+        .map(|_| render(stage, tracer, &probe).map(|rendering| rendering.stats.time))
+        .try_fold(Duration::MAX, |least, time| Some(least.min(time?)))?;
+    let views = |settings: &Settings| f64::from(settings.width) * f64::from(settings.height);
+    let sample = time.as_secs_f64() / (views(&probe) * f64::from(probe.samples_per_pixel()));
+    let samples = 2 * ROUNDS * SIDES.iter().map(|side| side * side).sum::<u32>();
+    let pixels = SHARE_OF_ROUNDS * budget.left().as_secs_f64() / (f64::from(samples) * sample);
+    let largest = sized(LARGEST);
+    let longer = f64::from(largest.width.max(largest.height));
+    let side = longer * (pixels / views(&largest)).sqrt().min(1.0);
+    Some(sized((side as u32).max(SMALLEST)))
+}
+
+/// Renders frames of both methods in interleaved rounds; without those that have no whole frame.
+pub(super) fn measure(
+    stage: &Stage<'_>,
+    tracer: &dyn Tracer,
+    settings: &Settings,
+    converged: &[DVec3],
+    budget: Budget,
+) -> Vec<Frames> {
+    let with = |(sampling, aa)| Frames {
+        settings: Settings { aa, sampling, ..settings.clone() },
+        rounds: Vec::new(),
+        surfaces: 0,
+    };
+    let each = |sampling| SIDES.map(|side| (sampling, side));
+    let mut lanes: Vec<Frames> = Sampling::ALL.into_iter().flat_map(each).map(with).collect();
+    let repeat = Repeat { rule: &stage.plan.rounds, budget, cancelled: &|| (stage.cancelled)() };
+    let rounds = interleaved(lanes.len(), &repeat, |lane| {
+        let settings = &mut lanes[lane].settings;
+        // The same random numbers for all that run beside each other, others in each round.
+        settings.seed = settings.seed.wrapping_add(1);
+        let (rendering, round) = timed(|| render(stage, tracer, settings));
+        let rendering = rendering?;
+        lanes[lane].surfaces = surfaces(&rendering);
+        let Sight::Picture(picture) = &rendering.sight else { return None };
+        // A frame of milliseconds that another program interrupts would seem many times as long.
+        let time = round.cpu_ns.unwrap_or(round.wall_ns);
+        Some(((time, rmse(picture, converged)), time))
+    });
+    for (lane, rounds) in lanes.iter_mut().zip(rounds) {
+        lane.rounds = rounds;
+    }
+    lanes.retain(|lane| !lane.rounds.is_empty());
+    lanes
+}
+
+/// A whole frame on one thread.
+fn render(stage: &Stage<'_>, tracer: &dyn Tracer, settings: &Settings) -> Option<Rendering> {
+    let work = || render_with(stage.scene, tracer, settings, stage.cancelled);
+    Some(stage.pools.one.install(work)).filter(|rendering| rendering.complete)
+}
+
+/// Each of them asks for the samples of every area light.
+fn surfaces(rendering: &Rendering) -> u64 {
+    let classes = [RayClass::View, RayClass::Mirror, RayClass::Refraction];
+    classes.iter().map(|&class| rendering.stats.class(class).hits).sum()
+}
+
+impl Frames {
+    /// Its point of the curve.
+    pub(super) fn point(&self, scene: &str) -> Option<NoisePoint> {
+        let (rounds_ns, rounds_rmse) = self.rounds.iter().copied().unzip();
+        (!self.rounds.is_empty()).then(|| NoisePoint {
+            scene: scene.to_owned(),
+            sampling: self.settings.sampling.name().to_owned(),
+            pixel_samples: self.settings.samples_per_pixel(),
+            light_samples: self.settings.light_samples.pow(2),
+            rounds_ns,
+            rounds_rmse,
+        })
+    }
+
+    /// How often it does what was timed; nothing for other numbers of samples than that.
+    pub(super) fn parts(&self, name: &str, scene: &Scene) -> Vec<FramePart> {
+        if self.settings.aa != operations::SIDE {
+            return Vec::new();
+        }
+        let pixels = u64::from(self.settings.width) * u64::from(self.settings.height);
+        let pixel_samples = self.settings.samples_per_pixel();
+        let is_area = |light: &&Light| matches!(light, Light::Area { .. });
+        let lights = scene.lights.iter().filter(is_area).count() as u64;
+        let points = self.surfaces * lights;
+        let mut counts = vec![(Operation::Place, pixels * u64::from(pixel_samples))];
+        counts.extend(match self.settings.sampling {
+            Sampling::Shuffled => vec![
+                (Operation::Shuffle, pixels * lights),
+                (Operation::Tables, 1),
+                (Operation::Take, points),
+            ],
+            Sampling::Independent => vec![(Operation::Make, points)],
+        });
+        let part = |(operation, count): (Operation, u64)| FramePart {
+            scene: name.to_owned(),
+            sampling: self.settings.sampling.name().to_owned(),
+            pixel_samples,
+            operation: operation.name(),
+            count,
+        };
+        counts.into_iter().map(part).collect()
+    }
+}

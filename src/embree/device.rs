@@ -1,0 +1,107 @@
+//! A device of Embree's: its threads, its memory, and what it complains of.
+
+use std::ffi::{CStr, CString, c_char, c_int, c_void};
+use std::ptr;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicI64, Ordering};
+
+use super::EmbreeError;
+use super::ffi::{
+    RTC_ERROR_NONE, RTCDevice, rtcGetDeviceError, rtcNewDevice, rtcReleaseDevice,
+    rtcSetDeviceErrorFunction, rtcSetDeviceMemoryMonitorFunction,
+};
+
+/// A device, which all of a scene's objects belong to.
+pub(super) struct Device {
+    raw: RTCDevice,
+    /// What the device's callbacks write to; boxed, so that it stays where the device knows it.
+    told: Box<Told>,
+}
+
+/// What a device told.
+#[derive(Default)]
+struct Told {
+    bytes: AtomicI64,
+    error: Mutex<Option<String>>,
+}
+
+// SAFETY: Embree's devices may be used from any thread, by several at once (manual, chapter
+// "Embree API"); what its callbacks write to is synchronized.
+unsafe impl Send for Device {}
+// SAFETY: as above.
+unsafe impl Sync for Device {}
+
+impl Device {
+    /// A device that wants so many threads for builds.
+    pub(super) fn new(threads: usize) -> Result<Self, EmbreeError> {
+        let config = CString::new(format!("threads={threads}")).unwrap_or_default();
+        // SAFETY: the text ends with a zero and outlives the call.
+        let raw = unsafe { rtcNewDevice(config.as_ptr()) };
+        if raw.is_null() {
+            // SAFETY: without a device, Embree returns this thread's last error.
+            let code = unsafe { rtcGetDeviceError(ptr::null_mut()) };
+            return Err(EmbreeError::Device { code });
+        }
+        let told = Box::<Told>::default();
+        let user = ptr::from_ref(&*told).cast_mut().cast::<c_void>();
+        // SAFETY: the device is valid; `user` is a `Told`, read through a shared reference only,
+        // which lives until after the device is released.
+        unsafe {
+            rtcSetDeviceErrorFunction(raw, note_error, user);
+            rtcSetDeviceMemoryMonitorFunction(raw, note_bytes, user);
+        }
+        Ok(Self { raw, told })
+    }
+
+    pub(super) fn raw(&self) -> RTCDevice {
+        self.raw
+    }
+
+    /// What its objects occupy now.
+    pub(super) fn bytes(&self) -> u64 {
+        u64::try_from(self.told.bytes.load(Ordering::Relaxed)).unwrap_or(0)
+    }
+
+    /// The first complaint so far, if there was any.
+    pub(super) fn check(&self) -> Result<(), EmbreeError> {
+        let told = self.told.error.lock().map_or(None, |mut error| error.take());
+        // SAFETY: the device is valid. It keeps what was not told to the callback.
+        let code = unsafe { rtcGetDeviceError(self.raw) };
+        match told {
+            Some(text) => Err(EmbreeError::Refused { text }),
+            None if code != RTC_ERROR_NONE => Err(EmbreeError::Device { code }),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Drop for Device {
+    fn drop(&mut self) {
+        // SAFETY: the device is valid and is not used again. Objects that hold it keep it alive
+        // themselves, and are all released before `told` is (see `TriangleScene`).
+        unsafe { rtcReleaseDevice(self.raw) };
+    }
+}
+
+/// Keeps the first error.
+unsafe extern "C" fn note_error(user: *mut c_void, code: c_int, text: *const c_char) {
+    // SAFETY: `user` is the `Told` that was given to the device.
+    let told = unsafe { &*user.cast::<Told>() };
+    let text = if text.is_null() {
+        String::new()
+    } else {
+        // SAFETY: Embree's texts end with a zero and live as long as this call.
+        unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned()
+    };
+    if let Ok(mut error) = told.error.lock() {
+        error.get_or_insert_with(|| format!("error {code}: {text}"));
+    }
+}
+
+/// Adds what was allocated, or takes away what was freed.
+unsafe extern "C" fn note_bytes(user: *mut c_void, bytes: isize, _post: bool) -> bool {
+    // SAFETY: `user` is the `Told` that was given to the device.
+    let told = unsafe { &*user.cast::<Told>() };
+    told.bytes.fetch_add(bytes as i64, Ordering::Relaxed);
+    true
+}

@@ -1,0 +1,145 @@
+//! Where the time of a rendering goes.
+
+use std::time::{Duration, Instant};
+
+use super::RayClass;
+
+/// What a thread is doing for a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Asking the structure what the rays of a class hit.
+    Tracing(RayClass),
+    /// Making view, shadow, mirrored and refracted rays, with what light would add along them.
+    MakingRays,
+    /// Computing surfaces, and adding up the light that arrives.
+    Shading,
+    /// All else: means of samples, taking tiles.
+    Rest,
+}
+
+impl Stage {
+    /// All stages, in the order of reports.
+    pub const ALL: [Self; 7] = [
+        Self::Tracing(RayClass::View),
+        Self::Tracing(RayClass::Shadow),
+        Self::Tracing(RayClass::Mirror),
+        Self::Tracing(RayClass::Refraction),
+        Self::MakingRays,
+        Self::Shading,
+        Self::Rest,
+    ];
+
+    /// The name in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Tracing(RayClass::View) => "tracing view rays",
+            Self::Tracing(RayClass::Shadow) => "tracing shadow rays",
+            Self::Tracing(RayClass::Mirror) => "tracing mirror rays",
+            Self::Tracing(RayClass::Refraction) => "tracing refraction rays",
+            Self::MakingRays => "making rays",
+            Self::Shading => "shading",
+            Self::Rest => "the rest",
+        }
+    }
+
+    fn index(self) -> usize {
+        match self {
+            Self::Tracing(class) => class as usize,
+            Self::MakingRays => 4,
+            Self::Shading => 5,
+            Self::Rest => 6,
+        }
+    }
+}
+
+/// Time by stage, added up over all threads.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StageTimes([Duration; 7]);
+
+impl StageTimes {
+    /// The time of a stage.
+    #[must_use]
+    pub fn of(&self, stage: Stage) -> Duration {
+        self.0[stage.index()]
+    }
+
+    /// The time of all stages.
+    #[must_use]
+    pub fn total(&self) -> Duration {
+        self.0.iter().sum()
+    }
+
+    /// The time of tracing rays of all classes.
+    #[must_use]
+    pub fn tracing(&self) -> Duration {
+        RayClass::ALL.iter().map(|&class| self.of(Stage::Tracing(class))).sum()
+    }
+
+    /// The share of a stage in the time of all; `None` if there is none.
+    #[must_use]
+    pub fn share(&self, stage: Stage) -> Option<f64> {
+        quotient(self.of(stage), self.total())
+    }
+
+    /// The share of tracing in the time of all; `None` if there is none.
+    #[must_use]
+    pub fn tracing_share(&self) -> Option<f64> {
+        quotient(self.tracing(), self.total())
+    }
+
+    /// Adds to a stage.
+    pub fn add(&mut self, stage: Stage, time: Duration) {
+        self.0[stage.index()] += time;
+    }
+
+    /// Adds the times of another part of the rendering.
+    pub(super) fn merge(&mut self, other: &Self) {
+        for (sum, time) in self.0.iter_mut().zip(other.0) {
+            *sum += time;
+        }
+    }
+}
+
+fn quotient(part: Duration, whole: Duration) -> Option<f64> {
+    (!whole.is_zero()).then(|| part.as_secs_f64() / whole.as_secs_f64())
+}
+
+/// Tells what each stage of a thread took: read once where a stage ends and the next begins, so
+/// that nothing is left out and nothing counted twice.
+pub(super) struct Stopwatch(Instant);
+
+impl Stopwatch {
+    pub(super) fn start() -> Self {
+        Self(Instant::now())
+    }
+
+    /// The time since the last lap, or the start.
+    pub(super) fn lap(&mut self) -> Duration {
+        let now = Instant::now();
+        now.duration_since(std::mem::replace(&mut self.0, now))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stages_add_up() {
+        let mut times = StageTimes::default();
+        for (i, stage) in (1..).zip(Stage::ALL) {
+            times.add(stage, Duration::from_secs(i));
+        }
+        times.add(Stage::Shading, Duration::from_secs(10));
+        assert_eq!(times.of(Stage::Shading), Duration::from_secs(16));
+        assert_eq!(times.tracing(), Duration::from_secs(1 + 2 + 3 + 4));
+        assert_eq!(times.total(), Duration::from_secs(28 + 10));
+        assert_eq!(times.tracing_share(), Some(10.0 / 38.0));
+        assert_eq!(times.share(Stage::Shading), Some(16.0 / 38.0));
+        assert_eq!(StageTimes::default().tracing_share(), None);
+        let mut twice = times;
+        twice.merge(&times);
+        assert_eq!(twice.total(), 2 * times.total());
+    }
+}

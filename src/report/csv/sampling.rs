@@ -1,0 +1,99 @@
+//! The chapter on sampling → CSV: a line for each cost, share and noise.
+
+use super::{line, number, parts, whole};
+use crate::record::Comparison;
+use crate::record::derived::{Derived, Pairing};
+
+const HEADS: [&str; 18] = [
+    "what",
+    "scene",
+    "sampling",
+    "operation",
+    "equal",
+    "pixel_samples",
+    "light_samples",
+    "count",
+    "rounds",
+    "ns",
+    "ns_low",
+    "ns_high",
+    "share",
+    "rmse",
+    "rmse_low",
+    "rmse_high",
+    "ratio",
+    "converged_rmse",
+];
+
+/// Writes the table; `None` without the chapter. Numbers read back as they are in the JSON's
+/// `derived`. Lines are of four kinds, which `what` tells: `cost`, `share`, `noise`, `converged`.
+#[must_use]
+pub fn write_sampling(comparison: &Comparison) -> Option<String> {
+    let chapter = comparison.sampling.as_ref()?;
+    let derived = Derived::of(comparison);
+    let mut text = line(HEADS.map(str::to_owned));
+    for (cost, figures) in chapter.costs.iter().zip(&derived.operations) {
+        let [ns, low, high] = parts(figures.ns);
+        text += &row(&[
+            ("what", "cost".to_owned()),
+            ("operation", figures.operation.clone()),
+            ("count", cost.count.to_string()),
+            ("rounds", whole(figures.ns.map(|estimate| estimate.rounds as u64))),
+            ("ns", ns),
+            ("ns_low", low),
+            ("ns_high", high),
+        ]);
+    }
+    for (part, figures) in chapter.parts.iter().zip(&derived.shares) {
+        text += &row(&[
+            ("what", "share".to_owned()),
+            ("scene", part.scene.clone()),
+            ("sampling", part.sampling.clone()),
+            ("operation", part.operation.clone()),
+            ("pixel_samples", part.pixel_samples.to_string()),
+            ("count", part.count.to_string()),
+            ("share", number(figures.share)),
+        ]);
+    }
+    for figures in &derived.noise {
+        let [ns, ns_low, ns_high] = parts(Some(figures.ns));
+        let [rmse, rmse_low, rmse_high] = parts(Some(figures.rmse));
+        let equal = match figures.pairing {
+            Pairing::EqualSamples => "samples",
+            Pairing::EqualTime => "time",
+        };
+        text += &row(&[
+            ("what", "noise".to_owned()),
+            ("scene", figures.scene.clone()),
+            ("sampling", figures.sampling.clone()),
+            ("equal", equal.to_owned()),
+            ("pixel_samples", number(Some(figures.pixel_samples))),
+            ("light_samples", figures.light_samples.to_string()),
+            ("rounds", figures.rmse.rounds.to_string()),
+            ("ns", ns),
+            ("ns_low", ns_low),
+            ("ns_high", ns_high),
+            ("rmse", rmse),
+            ("rmse_low", rmse_low),
+            ("rmse_high", rmse_high),
+            ("ratio", number(figures.ratio.map(|ratio| ratio.median))),
+        ]);
+    }
+    for picture in &chapter.converged {
+        text += &row(&[
+            ("what", "converged".to_owned()),
+            ("scene", picture.scene.clone()),
+            ("pixel_samples", picture.pixel_samples.to_string()),
+            ("light_samples", picture.light_samples.to_string()),
+            ("count", picture.passes.to_string()),
+            ("converged_rmse", number(Some(picture.rmse))),
+        ]);
+    }
+    Some(text)
+}
+
+/// A line with the named fields; all others are empty.
+fn row(fields: &[(&str, String)]) -> String {
+    let field = |head: &str| fields.iter().find(|(name, _)| *name == head);
+    line(HEADS.map(|head| field(head).map_or_else(String::new, |(_, text)| text.clone())))
+}

@@ -1,0 +1,55 @@
+//! The chapter on sampling in one plain sentence.
+
+use super::numbers;
+use crate::record::derived::{Derived, NoiseFigures, Pairing};
+use crate::record::statistics::median;
+use crate::record::{Comparison, SamplingChapter};
+
+/// How much noise a method leaves beside the other, and what sampling takes of a frame; over
+/// several scenes, the medians. `None` without frames.
+pub(super) fn sampling_verdict(comparison: &Comparison, derived: &Derived) -> Option<String> {
+    let chapter = comparison.sampling.as_ref()?;
+    let first = chapter.parts.first()?;
+    let own = first.sampling.as_str();
+    let samples = first.pixel_samples;
+    let noise = |pairing| {
+        let ratio = |figures: &NoiseFigures| {
+            let is_own = figures.pairing == pairing
+                && figures.sampling == own
+                && figures.pixel_samples == f64::from(samples);
+            is_own.then_some(figures.ratio?.median)
+        };
+        median(&derived.noise.iter().filter_map(ratio).collect::<Vec<_>>()).map(numbers::figures)
+    };
+    let mut scenes: Vec<&str> = chapter.parts.iter().map(|part| part.scene.as_str()).collect();
+    scenes.dedup();
+    let place = match scenes.as_slice() {
+        [scene] => (*scene).to_owned(),
+        scenes => format!("the median of {} scenes", scenes.len()),
+    };
+    let for_samples = noise(Pairing::EqualSamples)?;
+    let for_time = noise(Pairing::EqualTime)
+        .map_or_else(String::new, |ratio| format!(" and {ratio}\u{a0}× in equal time"));
+    Some(format!(
+        "Sampling: {own} leaves {for_samples}\u{a0}× the noise of independent with {samples} view \
+         samples{for_time} ({place}){}.",
+        share(chapter, derived, own, &scenes)
+            .map_or_else(String::new, |share| format!(", and takes {share} of a frame")),
+    ))
+}
+
+/// All parts of a method's frame together.
+fn share(
+    chapter: &SamplingChapter,
+    derived: &Derived,
+    sampling: &str,
+    scenes: &[&str],
+) -> Option<String> {
+    let of_scene = |scene: &&str| -> Option<f64> {
+        let parts = chapter.parts.iter().zip(&derived.shares);
+        let own = parts.filter(|(part, _)| part.scene == *scene && part.sampling == sampling);
+        own.map(|(_, figures)| figures.share).sum()
+    };
+    let shares: Option<Vec<f64>> = scenes.iter().map(of_scene).collect();
+    median(&shares?).map(numbers::small_percent)
+}

@@ -1,0 +1,95 @@
+//! One formula for one value and for several at once.
+//!
+//! Every operation here rounds each lane exactly as the scalar operation does, and none fuses a
+//! product with a sum, so a formula written over [`Lanes`] gives the same bits for any width.
+
+use std::ops::{Add, Mul, Sub};
+
+use glam::Vec4;
+
+/// A row of floats that are computed with together.
+pub trait Lanes:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + std::fmt::Debug
+{
+    /// Absolute values.
+    fn abs(self) -> Self;
+    /// 1 where the sign bit is clear, −1 where it is set, NaN for NaN. A product with it changes
+    /// signs and nothing else.
+    fn signum(self) -> Self;
+}
+
+impl Lanes for f32 {
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f32::abs(self)
+    }
+    #[inline(always)]
+    fn signum(self) -> Self {
+        f32::signum(self)
+    }
+}
+
+impl Lanes for Vec4 {
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Vec4::abs(self)
+    }
+    #[inline(always)]
+    fn signum(self) -> Self {
+        Vec4::signum(self)
+    }
+}
+
+/// Three rows: the x, y and z of several vectors.
+pub type Lanes3<L> = [L; 3];
+
+/// a × b, lane by lane.
+#[inline(always)]
+pub fn cross<L: Lanes>(a: Lanes3<L>, b: Lanes3<L>) -> Lanes3<L> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// a · b, lane by lane: x + (y + z) in this order.
+#[inline(always)]
+pub fn dot<L: Lanes>(a: Lanes3<L>, b: Lanes3<L>) -> L {
+    a[0] * b[0] + (a[1] * b[1] + a[2] * b[2])
+}
+
+/// a − b, lane by lane.
+#[inline(always)]
+pub fn sub<L: Lanes>(a: Lanes3<L>, b: Lanes3<L>) -> Lanes3<L> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// The positions of the ones of a mask of lanes, the lowest first.
+#[inline(always)]
+pub fn ones(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lowest = (mask != 0).then(|| mask.trailing_zeros() as usize);
+        mask &= mask.wrapping_sub(1);
+        lowest
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ones_are_listed_from_the_lowest() {
+        assert_eq!(ones(0b1010_0001).collect::<Vec<_>>(), [0, 5, 7]);
+        assert_eq!(ones(1 << 31).collect::<Vec<_>>(), [31]);
+        assert_eq!(ones(0).count(), 0);
+    }
+
+    #[test]
+    fn four_lanes_are_four_scalars() {
+        let values = [1.5f32, -0.0, f32::MIN_POSITIVE, -3.0e30];
+        let row = Vec4::from_array(values);
+        for (i, x) in values.into_iter().enumerate() {
+            assert_eq!(Lanes::signum(row)[i].to_bits(), Lanes::signum(x).to_bits());
+            assert_eq!(Lanes::abs(row)[i].to_bits(), Lanes::abs(x).to_bits());
+        }
+        assert!(Lanes::signum(Vec4::NAN).is_nan_mask().all() && Lanes::signum(f32::NAN).is_nan());
+    }
+}

@@ -1,0 +1,131 @@
+//! Two rows as one of twice the width.
+
+use std::ops::{Add, BitAnd, Div, Mul, Sub};
+
+use super::{Lanes, Mask, Row};
+
+/// The lower and the upper half.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair<R>(pub(super) R, pub(super) R);
+
+impl<R: Add<Output = R>> Add for Pair<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0, self.1 + other.1)
+    }
+}
+
+impl<R: Sub<Output = R>> Sub for Pair<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0, self.1 - other.1)
+    }
+}
+
+impl<R: Mul<Output = R>> Mul for Pair<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0, self.1 * other.1)
+    }
+}
+
+impl<R: Div<Output = R>> Div for Pair<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        Self(self.0 / other.0, self.1 / other.1)
+    }
+}
+
+impl<R: Lanes> Lanes for Pair<R> {
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs(), self.1.abs())
+    }
+    #[inline(always)]
+    fn signum(self) -> Self {
+        Self(self.0.signum(), self.1.signum())
+    }
+}
+
+/// The masks of both halves, of which the lower has `HALF` lanes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PairMask<M, const HALF: u32>(M, M);
+
+impl<M: Mask, const HALF: u32> BitAnd for PairMask<M, HALF> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0, self.1 & other.1)
+    }
+}
+
+impl<M: Mask, const HALF: u32> Mask for PairMask<M, HALF> {
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.0.bits() | self.1.bits() << HALF
+    }
+}
+
+macro_rules! row_of_two {
+    ($half:literal, $whole:literal) => {
+        impl<R: Row<$half>> Row<$whole> for Pair<R> {
+            type Mask = PairMask<R::Mask, $half>;
+
+            #[inline(always)]
+            fn splat(value: f32) -> Self {
+                Self(R::splat(value), R::splat(value))
+            }
+            #[inline(always)]
+            fn load(values: &[f32; $whole]) -> Self {
+                let (halves, _) = values.as_chunks::<$half>();
+                Self(R::load(&halves[0]), R::load(&halves[1]))
+            }
+            #[inline(always)]
+            fn load_bits(bits: &[u32; $whole]) -> Self {
+                let (halves, _) = bits.as_chunks::<$half>();
+                Self(R::load_bits(&halves[0]), R::load_bits(&halves[1]))
+            }
+            #[inline(always)]
+            fn store(self, values: &mut [f32; $whole]) {
+                let (halves, _) = values.as_chunks_mut::<$half>();
+                self.0.store(&mut halves[0]);
+                self.1.store(&mut halves[1]);
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                Self(self.0.min(other.0), self.1.min(other.1))
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                Self(self.0.max(other.0), self.1.max(other.1))
+            }
+            #[inline(always)]
+            fn le(self, other: Self) -> Self::Mask {
+                PairMask(self.0.le(other.0), self.1.le(other.1))
+            }
+            #[inline(always)]
+            fn select(self, mask: u32, other: Self) -> Self {
+                Self(self.0.select(mask, other.0), self.1.select(mask >> $half, other.1))
+            }
+            #[inline(always)]
+            fn smallest(self) -> f32 {
+                self.0.min(self.1).smallest()
+            }
+            #[inline(always)]
+            fn largest(self) -> f32 {
+                self.0.max(self.1).largest()
+            }
+            #[inline(always)]
+            fn slab(planes: Self, inv_dir: Self, offset: Self) -> Self {
+                Self(R::slab(planes.0, inv_dir.0, offset.0), R::slab(planes.1, inv_dir.1, offset.1))
+            }
+        }
+    };
+}
+
+row_of_two!(4, 8);
+row_of_two!(8, 16);

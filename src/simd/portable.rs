@@ -1,0 +1,138 @@
+//! Every processor's instruction set: what glam makes of four floats (SSE2, NEON), and loops.
+
+use glam::{BVec4A, Vec4};
+
+use super::pair::Pair;
+use super::{Mask, Row, Simd};
+
+/// Four floats at a time, nothing fused.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Portable;
+
+impl Mask for BVec4A {
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.bitmask()
+    }
+}
+
+impl Row<4> for Vec4 {
+    type Mask = BVec4A;
+
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        Vec4::splat(value)
+    }
+    #[inline(always)]
+    fn load(values: &[f32; 4]) -> Self {
+        Vec4::from_array(*values)
+    }
+    #[inline(always)]
+    fn load_bits(&[x, y, z, w]: &[u32; 4]) -> Self {
+        Vec4::new(f32::from_bits(x), f32::from_bits(y), f32::from_bits(z), f32::from_bits(w))
+    }
+    #[inline(always)]
+    fn store(self, values: &mut [f32; 4]) {
+        *values = self.to_array();
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Vec4::min(self, other)
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Vec4::max(self, other)
+    }
+    #[inline(always)]
+    fn le(self, other: Self) -> BVec4A {
+        self.cmple(other)
+    }
+    #[inline(always)]
+    fn select(self, mask: u32, other: Self) -> Self {
+        let lane = |i: u32| mask >> i & 1 != 0;
+        let mask = BVec4A::new(lane(0), lane(1), lane(2), lane(3));
+        Vec4::select(mask, self, other)
+    }
+    #[inline(always)]
+    fn smallest(self) -> f32 {
+        self.min_element()
+    }
+    #[inline(always)]
+    fn largest(self) -> f32 {
+        self.max_element()
+    }
+    #[inline(always)]
+    fn slab(planes: Self, inv_dir: Self, offset: Self) -> Self {
+        (planes - offset) * inv_dir
+    }
+}
+
+impl Simd for Portable {
+    type F8 = Pair<Vec4>;
+    type F16 = Pair<Pair<Vec4>>;
+
+    const FUSES: bool = false;
+
+    #[inline(always)]
+    fn transpose(records: &[[f32; 8]; 16]) -> [Self::F16; 8] {
+        let mut rows = [[0.0; 16]; 8];
+        for (lane, record) in records.iter().enumerate() {
+            for (row, &value) in rows.iter_mut().zip(record) {
+                row[lane] = value;
+            }
+        }
+        let mut transposed = [Self::F16::splat(0.0); 8];
+        for (row, values) in transposed.iter_mut().zip(&rows) {
+            *row = Self::F16::load(values);
+        }
+        transposed
+    }
+
+    #[inline(always)]
+    fn halves(low: &[f32; 4], high: &[f32; 4]) -> Self::F8 {
+        Pair(Vec4::from_array(*low), Vec4::from_array(*high))
+    }
+
+    #[inline(always)]
+    fn compress(mask: u32, values: &[u32; 8], kept: &mut [u32; 8]) {
+        let mut count = 0;
+        for (lane, &value) in values.iter().enumerate() {
+            kept[count & 7] = value;
+            count += (mask >> lane & 1) as usize;
+        }
+    }
+
+    #[inline(always)]
+    fn compress_floats(mask: u32, values: Self::F8, kept: &mut [f32; 8]) {
+        let mut row = [0.0; 8];
+        values.store(&mut row);
+        let mut count = 0;
+        for (lane, value) in row.into_iter().enumerate() {
+            kept[count & 7] = value;
+            count += (mask >> lane & 1) as usize;
+        }
+    }
+
+    #[inline(always)]
+    fn enter(
+        near: Self::F8,
+        far: Self::F8,
+        children: &[u32; 8],
+        order: &[u32; 8],
+        shift: u32,
+        entries: &mut [u32; 8],
+        distances: &mut [f32; 8],
+    ) -> u32 {
+        let mask = near.le(far).bits();
+        let mut begins = [0.0; 8];
+        near.store(&mut begins);
+        let mut count = 0;
+        for word in order {
+            let lane = (word >> shift & 7) as usize;
+            entries[count & 7] = children[lane];
+            distances[count & 7] = begins[lane];
+            count += (mask >> lane & 1) as usize;
+        }
+        count as u32
+    }
+}

@@ -1,0 +1,95 @@
+//! What a kernel asks of an instruction set.
+
+use std::ops::{BitAnd, Div};
+
+use super::{Lanes, Lanes3};
+
+/// A yes or no for each lane of a row.
+pub trait Mask: Copy + BitAnd<Output = Self> {
+    /// As bits, lane 0 the lowest.
+    fn bits(self) -> u32;
+}
+
+/// A row of `N` floats.
+///
+/// Rows must not pass through functions that are not `#[inline(always)]`, closures among them, nor
+/// through the standard library's combinators: these are compiled without the instruction set, and
+/// a call that hands over a row is not inlined.
+pub trait Row<const N: usize>: Lanes + Div<Output = Self> {
+    /// What comparisons give.
+    type Mask: Mask;
+
+    /// The same value in every lane.
+    fn splat(value: f32) -> Self;
+    /// The values of an array.
+    fn load(values: &[f32; N]) -> Self;
+    /// The values whose bits stand in an array.
+    fn load_bits(bits: &[u32; N]) -> Self;
+    /// Writes the lanes to an array.
+    fn store(self, values: &mut [f32; N]);
+    /// The smaller ones, lane by lane; of numbers alone.
+    fn min(self, other: Self) -> Self;
+    /// The larger ones, lane by lane; of numbers alone.
+    fn max(self, other: Self) -> Self;
+    /// Where `self ≤ other`; false where either is NaN.
+    fn le(self, other: Self) -> Self::Mask;
+    /// `self` where the bits have a one, `other` elsewhere.
+    fn select(self, mask: u32, other: Self) -> Self;
+    /// The smallest lane; of numbers alone.
+    fn smallest(self) -> f32;
+    /// The largest lane; of numbers alone.
+    fn largest(self) -> f32;
+    /// The first of the lanes of a mask, not empty, that hold the smallest value.
+    #[inline(always)]
+    fn first_smallest(self, mask: u32) -> usize {
+        let smallest = self.select(mask, Self::splat(f32::INFINITY)).smallest();
+        (mask & self.le(Self::splat(smallest)).bits()).trailing_zeros() as usize
+    }
+    /// Where a ray meets planes: `plane·inv_dir − offset` rounded once where the instruction set
+    /// fuses, `(plane − offset)·inv_dir` where it does not: see [`Simd::FUSES`].
+    fn slab(planes: Self, inv_dir: Self, offset: Self) -> Self;
+}
+
+/// The same vector in every lane.
+#[inline(always)]
+pub fn splat3<R: Row<N>, const N: usize>([x, y, z]: [f32; 3]) -> Lanes3<R> {
+    [R::splat(x), R::splat(y), R::splat(z)]
+}
+
+/// An instruction set. Its types cannot be named outside of this layer: a kernel gets them from
+/// [`dispatch`](super::dispatch), which knows that the processor has them.
+pub trait Simd: Copy + Send + Sync + 'static {
+    /// Eight floats.
+    type F8: Row<8>;
+    /// Sixteen floats.
+    type F16: Row<16>;
+
+    /// Whether [`Row::slab`] takes the product of origin and inverse direction as its offset (the
+    /// fused form) or the origin.
+    const FUSES: bool;
+
+    /// Sixteen records of eight floats as eight rows, the first of which has all first floats.
+    fn transpose(records: &[[f32; 8]; 16]) -> [Self::F16; 8];
+
+    /// Eight floats, the first four from one array and the last four from another.
+    fn halves(low: &[f32; 4], high: &[f32; 4]) -> Self::F8;
+
+    /// Moves the values with a one in the mask to the front of `kept`; what stands behind them is
+    /// not specified.
+    fn compress(mask: u32, values: &[u32; 8], kept: &mut [u32; 8]);
+    /// As [`Simd::compress`], for floats.
+    fn compress_floats(mask: u32, values: Self::F8, kept: &mut [f32; 8]);
+
+    /// Puts what is to be entered on a stack, in the order that `order` has at bit `shift`: place
+    /// `i` is taken by lane `order[i] >> shift & 7`. Lanes with `near ≤ far` are entered. Returns
+    /// how many there are; what stands behind them is not specified.
+    fn enter(
+        near: Self::F8,
+        far: Self::F8,
+        children: &[u32; 8],
+        order: &[u32; 8],
+        shift: u32,
+        entries: &mut [u32; 8],
+        distances: &mut [f32; 8],
+    ) -> u32;
+}

@@ -1,0 +1,158 @@
+//! The yardstick agrees with the structures on nearly all rays, and says what it cannot trace.
+
+#![cfg(feature = "embree")]
+#![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
+
+mod common;
+
+use glam::Vec3;
+use srt::accel::{BuildConfig, Tracer};
+use srt::compare::{Plan, SceneInput, Silent, run};
+use srt::math::{Hit, Random, Ray};
+use srt::record::Status;
+use srt::scene::{Scene, YARDSTICKS, structure_named};
+
+/// The share of the rays that may be answered otherwise.
+const LARGEST_SHARE: f64 = 1e-4;
+
+const VIEW: &str = "eyepos 0.3 -2.5 1.1\neyedir -0.3 2.5 -1\neyeup 0 0 1\nwdist 1\nfovy_deg 50\n\
+                    nx 200\nny 200\n";
+
+fn scene(objects: &str) -> Scene {
+    common::scene(&format!("{VIEW}{objects}\nend\n"))
+}
+
+/// View rays of all pixels, and random ones through the scene's box; their number is no multiple of
+/// sixteen.
+fn rays(scene: &Scene) -> Vec<Ray> {
+    let pixels = (0..200).flat_map(|y| (0..200).map(move |x| (f64::from(x), f64::from(y))));
+    let view = pixels.map(|(x, y)| scene.camera.ray(x, y));
+    let bounds = scene.bounds();
+    let mut random = Random::new(&[7]);
+    let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32()));
+    let mut through = || {
+        let origin = Vec3::from(bounds.min) + point() * Vec3::from(bounds.size());
+        Ray::new(origin, 2.0 * point() - 1.0)
+    };
+    view.chain((0..40_003).map(|_| through())).collect()
+}
+
+fn answers(tracer: &dyn Tracer, rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
+    let (mut hits, mut blocked) = (vec![Hit::MISS; rays.len()], vec![false; rays.len()]);
+    tracer.intersect(rays, &mut hits, None);
+    tracer.occluded(rays, &mut blocked, None);
+    (hits, blocked)
+}
+
+/// Holds both yardsticks against `bvh`.
+fn assert_agreement(scene: &Scene) {
+    let rays = rays(scene);
+    let build = |name| structure_named(name).unwrap().build(scene, &BuildConfig::default());
+    let (hits, blocked) = answers(&*build("bvh"), &rays);
+    let found = hits.iter().filter(|hit| hit.is_hit()).count();
+    assert!(10 * found > rays.len(), "{found} hits say nothing");
+    for name in ["embree", "embree16"] {
+        let own = answers(&*build(name), &rays);
+        let hits = hits.iter().zip(&own.0).filter(|(a, b)| !a.agrees(b)).count();
+        let blocked = blocked.iter().zip(&own.1).filter(|(a, b)| a != b).count();
+        let allowed = LARGEST_SHARE * rays.len() as f64;
+        assert!((hits.max(blocked) as f64) <= allowed, "{name}: {hits} and {blocked} disagree");
+    }
+}
+
+#[test]
+fn hits_agree_on_generated_meshes() {
+    for mesh in ["icosphere:20000", "hall:20000", "terrain:20000"] {
+        assert_agreement(&scene(&format!("object_flat generate:{mesh}")));
+    }
+}
+
+#[test]
+fn hits_agree_on_transformed_meshes_and_single_triangles() {
+    assert_agreement(&scene(
+        "triangle -3 -3 -1  3 -3 -1  0 3 -1\n\
+         {\ntranslate 0.2 0.3 0\nrotate 40 1 2 3\nscale 0.5 0.7 0.3\nobject_flat generate:icosphere:5000\n}\n\
+         object_flat generate:terrain:5000\n\
+         {\ntranslate -0.6 0 0.5\nobject_flat generate:icosphere:5000\n}",
+    ));
+}
+
+#[test]
+fn an_empty_scene_has_no_hits() {
+    let scene = scene("");
+    let rays = [Ray::new(Vec3::ZERO, Vec3::X); 17];
+    for yardstick in YARDSTICKS {
+        let world = yardstick.build(&scene, &BuildConfig::default());
+        let (hits, blocked) = answers(&*world, &rays);
+        assert!(hits.iter().all(|hit| !hit.is_hit()) && !blocked.contains(&true));
+    }
+}
+
+#[test]
+fn memory_grows_with_the_scene() {
+    let embree = structure_named("embree").unwrap();
+    let report = |objects: &str| {
+        let world = embree.build(&scene(objects), &BuildConfig::default());
+        world.build_report()
+    };
+    let (small, large) =
+        (report("object_flat generate:terrain:5000"), report("object_flat generate:terrain:50000"));
+    assert!(small.meshes.bytes > 5_000 * 36 && large.meshes.bytes > 5 * small.meshes.bytes);
+    assert!(large.triangle_bytes > 5 * small.triangle_bytes);
+    assert!(large.triangles.abs_diff(50_000) < 1_500);
+}
+
+#[test]
+fn what_it_does_not_know_is_refused_by_name() {
+    for (object, form) in [("ball 1 0 0 0", "a ball"), ("cylinder", "a cylinder")] {
+        let scene = scene(&format!("triangle 0 0 0  1 0 0  0 1 0\n{object}"));
+        for yardstick in YARDSTICKS {
+            let error = yardstick.try_build(&scene, &BuildConfig::default()).err().unwrap();
+            let text = error.to_string();
+            assert!(text.starts_with(&format!("object 1 is {form}: ")), "{text}");
+        }
+    }
+}
+
+/// A comparison of all yardsticks with two structures.
+fn compared(scene: Scene) -> srt::compare::Outcome {
+    let input = SceneInput { name: "a".into(), path: "a.sce".into(), hash: "0".into(), scene };
+    let mut plan = Plan::of_scenes(vec![input]);
+    plan.budget = Some(std::time::Duration::from_secs(4));
+    plan.rays_per_class = 2_000;
+    let named = |name| *structure_named(name).unwrap();
+    run(&plan, &["embree", "bvh", "cwbvh", "embree16"].map(named), &Silent).unwrap()
+}
+
+#[test]
+fn a_comparison_tells_how_many_rays_agree_and_claims_no_equality() {
+    let outcome = compared(scene("object_flat generate:terrain:5000"));
+    assert!(outcome.holds());
+    let scene = &outcome.comparison.scenes[0];
+    let proof = scene.proof.as_ref().unwrap();
+    assert_eq!(proof.structures.len(), 2);
+    assert!(["bvh", "cwbvh"].contains(&proof.reference.as_str()));
+    for name in ["embree", "embree16"] {
+        let entry = proof.yardstick(name).unwrap();
+        assert!(proof.structure(name).is_none());
+        assert!(entry.rays_checked > 100 && entry.share().unwrap() >= 0.9999, "{entry:?}");
+        let row = scene.structure(name).unwrap();
+        assert!(row.yardstick && row.status == Status::Ok);
+        assert!(row.shape.is_none() && row.heatmap.is_none() && row.memory.is_some());
+        assert!(!row.classes.is_empty() && !row.picture_rounds.is_empty());
+        assert!(row.classes.iter().all(|class| class.boxes.is_none()));
+        assert!(row.classes.iter().all(|class| class.primitives.is_none()));
+    }
+    let text = srt::report::terminal::write(&outcome.comparison);
+    assert!(text.contains("a yardstick: "), "{text}");
+}
+
+#[test]
+fn a_scene_that_it_does_not_know_is_a_row_that_says_so() {
+    let outcome = compared(scene("ball 1 0 0 0"));
+    assert!(outcome.holds(), "the structures did their work");
+    let scene = &outcome.comparison.scenes[0];
+    let status = &scene.structure("embree").unwrap().status;
+    assert!(matches!(status, Status::Failed { message } if message.contains("is a ball")));
+    assert_eq!(scene.structure("bvh").unwrap().status, Status::Ok);
+}
