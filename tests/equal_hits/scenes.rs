@@ -23,6 +23,8 @@ fn random_scenes_of_transformed_objects() {
             // Many objects, and so few that slices of rays are brought to each of them.
             compared += compare(&random_scene(seed, scale, 0..40), seed, 6_000);
             compared += compare(&random_scene(seed, scale, 11..17), seed, 2_000);
+            // A mesh by itself.
+            compared += compare(&random_scene(seed, scale, 3..4), seed, 2_000);
         }
     }
     println!("{compared} rays compared, 0 differ");
