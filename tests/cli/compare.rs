@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::support::{Run, SCENE, folder, good_run_in, names, picture, refused, run_in};
 
 const QUICK: [&str; 8] =
-    ["--budget", "4", "--rounds", "6", "--threads", "2", "--accel", "none,bvh"];
+    ["--budget", "8", "--rounds", "6", "--threads", "2", "--accel", "none,bvh"];
 
 fn compare(folder: &Path, options: &[&str]) -> Run {
     run_in(folder, &[&["compare", "scene.sce"], &QUICK[..], options].concat())
