@@ -25,8 +25,8 @@ const LARGEST_AMPLIFICATION: f64 = 1e4;
 /// objects that it meets.
 const FEW: usize = 16;
 
-/// Of these, up to so many that are not meshes: they are tested ray by ray, so that more of them
-/// are found faster by their boxes.
+/// Of these, up to so many that are not meshes: they are tested ray by ray, so that more of them,
+/// or these without a mesh, are found faster by their boxes.
 const FEW_SINGLE: usize = 4;
 
 /// The objects of a scene, their meshes indexed by `A`. Empty slots are not supported, and not
@@ -154,7 +154,8 @@ impl<A: Accel> Primitives for ObjectList<A> {
 
     fn are_few(&self) -> bool {
         let meshes = self.objects.iter().filter(|o| matches!(o.form, PlacedForm::Mesh(_))).count();
-        self.objects.len() <= FEW && self.objects.len() - meshes <= FEW_SINGLE
+        let others = self.objects.len() - meshes;
+        self.objects.len() <= FEW && meshes > 0 && others <= FEW_SINGLE
     }
 
     fn intersect_all<C: Counters>(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut C) {
