@@ -99,9 +99,7 @@ pub trait Accel: Sized + Send + Sync {
         hits: &mut [Hit],
         counters: &mut C,
     ) {
-        for (ray, hit) in rays.iter().zip(hits) {
-            *hit = closest(self, primitives, ray, counters);
-        }
+        closest_of_each(self, primitives, rays, hits, counters);
     }
 
     /// Whether each of many rays hits anything.
@@ -112,9 +110,7 @@ pub trait Accel: Sized + Send + Sync {
         answers: &mut [bool],
         counters: &mut C,
     ) {
-        for (ray, answer) in rays.iter().zip(answers) {
-            *answer = blocked(self, primitives, ray, counters);
-        }
+        blocked_of_each(self, primitives, rays, answers, counters);
     }
 
     /// Nodes, leaves, depth and bytes.
@@ -142,6 +138,32 @@ fn closest<A: Accel, P: Primitives, C: Counters>(
         ControlFlow::Continue(best.t)
     });
     if best.is_hit() { best } else { Hit::MISS }
+}
+
+/// [`closest`] of many rays, one by one.
+fn closest_of_each<A: Accel, P: Primitives, C: Counters>(
+    accel: &A,
+    primitives: &P,
+    rays: &[Ray],
+    hits: &mut [Hit],
+    counters: &mut C,
+) {
+    for (ray, hit) in rays.iter().zip(hits) {
+        *hit = closest(accel, primitives, ray, counters);
+    }
+}
+
+/// [`blocked`] of many rays, one by one.
+fn blocked_of_each<A: Accel, P: Primitives, C: Counters>(
+    accel: &A,
+    primitives: &P,
+    rays: &[Ray],
+    answers: &mut [bool],
+    counters: &mut C,
+) {
+    for (ray, answer) in rays.iter().zip(answers) {
+        *answer = blocked(accel, primitives, ray, counters);
+    }
 }
 
 /// Whether a ray has any hit.
@@ -206,28 +228,15 @@ pub trait Primitives: Bounded + Send + Sync {
         counters: &mut C,
     ) -> bool;
 
-    /// Whether these are so few, and take slices of rays so well, that a structure which knows of
-    /// slices should leave them to [`Primitives::intersect_all`] and [`Primitives::occluded_all`].
-    fn are_few(&self) -> bool {
+    /// Finds the closest hits of all rays without a structure, if these are so few, and take slices
+    /// of rays so well, that this is the fastest; else does nothing and returns false.
+    fn intersect_all<C: Counters>(&self, _: &[Ray], _: &mut [Hit], _: &mut C) -> bool {
         false
     }
 
-    /// The closest hit of each ray among all, as if each were tested with every one.
-    fn intersect_all<C: Counters>(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut C) {
-        for (ray, hit) in rays.iter().zip(hits) {
-            let box_ray = BoxRay::new(ray, self.padding());
-            let mut best = Hit::none_before(ray.t_max);
-            self.intersect(0..self.count(), ray, &box_ray, &mut best, counters);
-            *hit = if best.is_hit() { best } else { Hit::MISS };
-        }
-    }
-
-    /// Whether each ray hits any, as if it were tested with every one.
-    fn occluded_all<C: Counters>(&self, rays: &[Ray], answers: &mut [bool], counters: &mut C) {
-        for (ray, answer) in rays.iter().zip(answers) {
-            let box_ray = BoxRay::new(ray, self.padding());
-            *answer = self.occluded(0..self.count(), ray, &box_ray, counters);
-        }
+    /// As [`Primitives::intersect_all`]: whether each ray hits anything.
+    fn occluded_all<C: Counters>(&self, _: &[Ray], _: &mut [bool], _: &mut C) -> bool {
+        false
     }
 }
 

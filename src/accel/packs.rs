@@ -1,6 +1,6 @@
 //! Primitives in packs of eight, for kernels that test eight primitives, or sixteen rays, at once.
 
-use crate::math::{Aabb, BoxRay, Hit, Ray};
+use crate::math::Aabb;
 use crate::simd::{Lanes3, Simd};
 
 /// Lanes of a pack.
@@ -48,11 +48,6 @@ pub trait Packs: Sync {
 
     /// One primitive's id.
     fn id(&self, pack: usize, lane: usize) -> u32;
-
-    /// Replaces `best` by the first hit among a pack and itself: see [`Primitives::intersect`].
-    ///
-    /// [`Primitives::intersect`]: super::Primitives::intersect
-    fn closest_in_pack(&self, pack: usize, ray: &Ray, box_ray: &BoxRay, best: &mut Hit);
 }
 
 /// For primitives that are tested one by one: has no packs.
@@ -83,10 +78,6 @@ impl Packs for NoPacks {
     }
 
     fn id(&self, _: usize, _: usize) -> u32 {
-        match *self {}
-    }
-
-    fn closest_in_pack(&self, _: usize, _: &Ray, _: &BoxRay, _: &mut Hit) {
         match *self {}
     }
 }

@@ -21,14 +21,6 @@ use super::{Form, Scene, object_slices};
 /// nearly flat that its own hits are noise.
 const LARGEST_AMPLIFICATION: f64 = 1e4;
 
-/// Up to so many objects, a slice of rays is brought to each object rather than each ray to the
-/// objects that it meets.
-const FEW: usize = 16;
-
-/// Of these, up to so many that are not meshes: they are tested ray by ray, so that more of them,
-/// or these without a mesh, are found faster by their boxes.
-const FEW_SINGLE: usize = 4;
-
 /// The objects of a scene, their meshes indexed by `A`. Empty slots are not supported, and not
 /// needed: objects are tested one by one.
 #[derive(Clone, Debug)]
@@ -152,18 +144,25 @@ impl<A: Accel> Primitives for ObjectList<A> {
             .any(|object| object.blocks(ray, box_ray, counters))
     }
 
-    fn are_few(&self) -> bool {
-        let meshes = self.objects.iter().filter(|o| matches!(o.form, PlacedForm::Mesh(_))).count();
-        let others = self.objects.len() - meshes;
-        self.objects.len() <= FEW && meshes > 0 && others <= FEW_SINGLE
+    fn intersect_all<C: Counters>(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut C) -> bool {
+        let few = object_slices::suits(self);
+        if few {
+            object_slices::closest(self, rays, hits, counters);
+        }
+        few
     }
 
-    fn intersect_all<C: Counters>(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut C) {
-        object_slices::closest(self, rays, hits, counters);
-    }
-
-    fn occluded_all<C: Counters>(&self, rays: &[Ray], answers: &mut [bool], counters: &mut C) {
-        object_slices::blocked(self, rays, answers, counters);
+    fn occluded_all<C: Counters>(
+        &self,
+        rays: &[Ray],
+        answers: &mut [bool],
+        counters: &mut C,
+    ) -> bool {
+        let few = object_slices::suits(self);
+        if few {
+            object_slices::blocked(self, rays, answers, counters);
+        }
+        few
     }
 }
 

@@ -14,6 +14,14 @@ use crate::shapes::TriangleSet;
 
 use super::object_list::{ObjectList, Placed, PlacedForm};
 
+/// Up to so many objects, a slice of rays is brought to each object rather than each ray to the
+/// objects that it meets.
+const FEW: usize = 16;
+
+/// Of these, up to so many that are not meshes: they are tested ray by ray, so that more of them,
+/// or these without a mesh, are found faster by their boxes.
+const FEW_SINGLE: usize = 4;
+
 /// Rays that are brought to the objects together: few enough to stay in a core's cache.
 const AT_ONCE: usize = 1024;
 
@@ -31,6 +39,12 @@ struct Buffers {
 thread_local! {
     /// Kept from call to call; absent while used.
     static BUFFERS: Cell<Option<Box<Buffers>>> = const { Cell::new(None) };
+}
+
+/// Whether the objects are so few, meshes among them, that this is faster than finding each ray's.
+pub(super) fn suits<A>(list: &ObjectList<A>) -> bool {
+    let singles = others(list).count();
+    list.objects.len() <= FEW && singles < list.objects.len() && singles <= FEW_SINGLE
 }
 
 /// The closest hits on all objects.
@@ -67,10 +81,11 @@ pub(super) fn closest<A: Accel, C: Counters>(
             buffers.hits.clear();
             buffers.hits.resize(buffers.own.len(), Hit::MISS);
             mesh.intersect_many(&buffers.own, &mut buffers.hits, counters);
-            for (&ray, hit) in buffers.which.iter().zip(&buffers.hits) {
+            let found = buffers.which.iter().zip(&buffers.hits).filter(|(_, hit)| hit.is_hit());
+            for (&ray, hit) in found {
                 let hit = Hit { object: object.id, ..*hit };
                 let best = &mut hits[ray as usize];
-                if hit.prim != crate::math::NONE && hit.precedes(best) {
+                if hit.precedes(best) {
                     *best = hit;
                 }
             }

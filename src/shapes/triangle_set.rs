@@ -253,14 +253,6 @@ impl Packs for TriangleSet {
     fn id(&self, pack: usize, lane: usize) -> u32 {
         self.halves(pack)[lane / LANES % 2].prim[lane % LANES]
     }
-
-    fn closest_in_pack(&self, pack: usize, ray: &Ray, box_ray: &BoxRay, best: &mut Hit) {
-        let lane_ray = LaneRay::new(ray);
-        for half in self.halves(pack) {
-            let candidates = half.candidates(&lane_ray, ray.t_min, best.t, (1 << LANES) - 1);
-            half.update(&candidates, box_ray, best);
-        }
-    }
 }
 
 /// The corners and edges of eight triangles.

@@ -89,8 +89,7 @@ impl Wide {
     /// Puts the primitives below a binary node into a leaf, in ascending order: of equal hits in a
     /// pack, the first lane is then the first primitive.
     fn add_leaf(&mut self, tree: &Bvh2, root: usize, leaves: Leaves) -> Child {
-        let start = self.order.len().next_multiple_of(leaves.block);
-        self.order.resize(start, NONE);
+        let start = self.order.len();
         let mut open = vec![root];
         while let Some(binary) = open.pop() {
             let node = &tree.nodes[binary];

@@ -5,6 +5,7 @@
 //! in waves where they are not (`wave.rs`); a single ray is walked by [`Accel::traverse`], which is
 //! also the way of the rays that the kernels' terms cannot take.
 
+mod answer;
 mod collapse;
 mod node;
 mod packet;
@@ -14,7 +15,7 @@ mod wave;
 use std::cell::Cell;
 use std::ops::{ControlFlow, Range};
 
-use glam::{Vec3A, Vec4};
+use glam::Vec4;
 use obvhs::bvh2::builder::build_bvh2;
 use smallvec::SmallVec;
 
@@ -22,11 +23,13 @@ use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, Padding, Ray};
 use crate::simd::{Kernel, Simd, dispatch};
 
+use self::answer::Answer;
 use self::collapse::{Leaves, collapse};
-use self::node::{Child, Node, WIDTH};
+use self::node::{Child, Node, WIDTH, near_rows, order_shift};
+use self::slab_ray::Sides;
 use super::{
-    Accel, Bounded, BuildConfig, Built, PACK, Packs, Primitives, StructureShape, Tree, blocked,
-    closest, obvhs_boxes,
+    Accel, Bounded, BuildConfig, Built, PACK, Primitives, StructureShape, Tree, blocked_of_each,
+    closest_of_each, obvhs_boxes,
 };
 
 /// The stack lives with the call up to this height, and on the heap beyond.
@@ -110,18 +113,10 @@ impl Accel for Bvh8 {
         hits: &mut [Hit],
         counters: &mut C,
     ) {
-        match primitives.packs() {
-            Some(packs) if self.has_kernels() => {
-                let padding = primitives.padding();
-                let search = Search { tree: self, packs, padding };
-                dispatch(Closest { search, rays, hits, counters });
-            }
-            _ if primitives.are_few() => primitives.intersect_all(rays, hits, counters),
-            _ => {
-                for (ray, hit) in rays.iter().zip(hits) {
-                    *hit = closest(self, primitives, ray, counters);
-                }
-            }
+        if let Some(search) = Search::new(self, primitives) {
+            dispatch(Trace { search, rays, answers: hits, counters });
+        } else if !primitives.intersect_all(rays, hits, counters) {
+            closest_of_each(self, primitives, rays, hits, counters);
         }
     }
 
@@ -132,18 +127,10 @@ impl Accel for Bvh8 {
         answers: &mut [bool],
         counters: &mut C,
     ) {
-        match primitives.packs() {
-            Some(packs) if self.has_kernels() => {
-                let padding = primitives.padding();
-                let search = Search { tree: self, packs, padding };
-                dispatch(Occluded { search, rays, answers, counters });
-            }
-            _ if primitives.are_few() => primitives.occluded_all(rays, answers, counters),
-            _ => {
-                for (ray, answer) in rays.iter().zip(answers) {
-                    *answer = blocked(self, primitives, ray, counters);
-                }
-            }
+        if let Some(search) = Search::new(self, primitives) {
+            dispatch(Trace { search, rays, answers, counters });
+        } else if !primitives.occluded_all(rays, answers, counters) {
+            blocked_of_each(self, primitives, rays, answers, counters);
         }
     }
 
@@ -186,21 +173,6 @@ impl Accel for Bvh8 {
     }
 }
 
-impl Bvh8 {
-    /// Whether the kernels can be used: not for an empty tree, nor for one so deep that their
-    /// stacks would fill the memory.
-    fn has_kernels(&self) -> bool {
-        !self.nodes.is_empty() && self.need < 1 << 14
-    }
-}
-
-impl Node {
-    /// The box around all children.
-    fn bounds(&self) -> Aabb {
-        self.present().map(|(lane, _)| self.child_bounds(lane)).fold(Aabb::EMPTY, Aabb::union)
-    }
-}
-
 /// The most entries that a subtree can put on a stack: all of a node's children, or all but one
 /// and what that one puts there. Children stand behind their parents.
 fn stack_need(nodes: &[Node]) -> usize {
@@ -218,7 +190,7 @@ fn stack_need(nodes: &[Node]) -> usize {
 struct WideRay {
     origins: [[Vec4; 2]; 3],
     inv_dir: [Vec4; 3],
-    near_rows: [usize; 3],
+    near_rows: [u32; 3],
     order_shift: u32,
     t_min: Vec4,
 }
@@ -226,15 +198,12 @@ struct WideRay {
 impl WideRay {
     #[inline(always)]
     fn new(ray: &Ray, box_ray: &BoxRay) -> Self {
-        let backwards = box_ray.inv_dir.cmplt(Vec3A::ZERO);
-        let near = Vec3A::select(backwards, box_ray.origin_minus, box_ray.origin_plus);
-        let far = Vec3A::select(backwards, box_ray.origin_plus, box_ray.origin_minus);
-        let octant = backwards.bitmask();
+        let Sides { near, far, octant } = Sides::of(box_ray);
         Self {
             origins: std::array::from_fn(|axis| [Vec4::splat(near[axis]), Vec4::splat(far[axis])]),
             inv_dir: std::array::from_fn(|axis| Vec4::splat(box_ray.inv_dir[axis])),
-            near_rows: std::array::from_fn(|axis| 2 * axis + (octant >> axis & 1) as usize),
-            order_shift: 3 * octant,
+            near_rows: near_rows(octant),
+            order_shift: order_shift(octant),
             t_min: Vec4::splat(ray.t_min),
         }
     }
@@ -247,7 +216,7 @@ impl WideRay {
         for half in [0, 4] {
             let (mut begin, mut leave) = (self.t_min, Vec4::splat(end));
             for axis in 0..3 {
-                let row = self.near_rows[axis];
+                let row = self.near_rows[axis] as usize;
                 let near = planes_of_half(node, row, half);
                 let far = planes_of_half(node, row ^ 1, half);
                 begin = begin.max((near - self.origins[axis][0]) * self.inv_dir[axis]);
@@ -267,36 +236,25 @@ fn planes_of_half(node: &Node, row: usize, half: usize) -> Vec4 {
 }
 
 /// What a kernel searches.
-struct Search<'a, P> {
+struct Search<'a, P: Primitives> {
     tree: &'a Bvh8,
-    packs: &'a P,
+    primitives: &'a P,
+    packs: &'a P::Packs,
     padding: Padding,
 }
 
-impl<P: Packs> Search<'_, P> {
-    /// Walks a ray by itself.
-    #[cold]
-    #[inline(never)]
-    fn alone<C: Counters, const ANY: bool>(
-        &self,
-        ray: &Ray,
-        box_ray: &BoxRay,
-        counters: &mut C,
-    ) -> Hit {
-        let mut best = Hit::none_before(ray.t_max);
-        self.tree.traverse(ray, box_ray, counters, |slots, counters| {
-            counters.primitives(slots.len() as u32);
-            self.packs.closest_in_pack(slots.start as usize / PACK, ray, box_ray, &mut best);
-            if ANY && best.is_hit() {
-                return ControlFlow::Break(());
-            }
-            ControlFlow::Continue(best.t)
-        });
-        if best.is_hit() { best } else { Hit::MISS }
+impl<'a, P: Primitives> Search<'a, P> {
+    /// What the kernels take, if they can: not primitives without packs, nor an empty tree, nor one
+    /// so deep that their stacks would fill the memory.
+    fn new(tree: &'a Bvh8, primitives: &'a P) -> Option<Self> {
+        let packs = primitives.packs()?;
+        let suits = !tree.nodes.is_empty() && tree.need < 1 << 14;
+        suits.then(|| Self { tree, primitives, packs, padding: primitives.padding() })
     }
 }
 
 /// The kernels' memory.
+#[derive(Default)]
 struct Scratch {
     wave: wave::Scratch,
     packet: packet::Stack,
@@ -305,91 +263,38 @@ struct Scratch {
 }
 
 thread_local! {
-    /// Absent while it is used.
+    /// Kept from call to call; absent while used.
     static SCRATCH: Cell<Option<Box<Scratch>>> = const { Cell::new(None) };
 }
 
-impl Scratch {
-    fn take() -> Box<Self> {
-        SCRATCH.take().unwrap_or_else(|| {
-            Box::new(Self {
-                wave: wave::Scratch::new(),
-                packet: packet::Stack::default(),
-                scattered: Vec::new(),
-            })
-        })
-    }
-}
-
-/// The closest hits of a slice of rays.
-struct Closest<'a, P, C> {
+/// What is asked of a slice of rays.
+struct Trace<'a, P: Primitives, A, C> {
     search: Search<'a, P>,
     rays: &'a [Ray],
-    hits: &'a mut [Hit],
+    answers: &'a mut [A],
     counters: &'a mut C,
 }
 
 /// Rays go down by sixteens where they are coherent, and what is left in waves.
-impl<P: Packs, C: Counters> Kernel for Closest<'_, P, C> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        let Self { search, rays, hits, counters } = self;
-        let mut scratch = Scratch::take();
-        let Scratch { wave, packet, scattered } = &mut *scratch;
-        scattered.clear();
-        let (packets, rest) = rays.as_chunks::<{ packet::RAYS }>();
-        let (of_packets, _) = hits.as_chunks_mut::<{ packet::RAYS }>();
-        for (number, (rays, hits)) in packets.iter().zip(of_packets).enumerate() {
-            let first = (number * packet::RAYS) as u32;
-            match packet::search::<S, P, C, false>(&search, rays, packet, counters) {
-                Some(best) => best.write(hits),
-                None => scattered.extend(first..first + packet::RAYS as u32),
-            }
-        }
-        scattered.extend((rays.len() - rest.len()) as u32..rays.len() as u32);
-        wave::search::<S, P, C, false>(&search, rays, scattered, wave, counters, |ray, hit| {
-            hits[ray as usize] = hit;
-        });
-        SCRATCH.set(Some(scratch));
-    }
-}
-
-/// Whether the rays of a slice hit anything.
-struct Occluded<'a, P, C> {
-    search: Search<'a, P>,
-    rays: &'a [Ray],
-    answers: &'a mut [bool],
-    counters: &'a mut C,
-}
-
-impl<P: Packs, C: Counters> Kernel for Occluded<'_, P, C> {
+impl<P: Primitives, A: Answer, C: Counters> Kernel for Trace<'_, P, A, C> {
     type Output = ();
 
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { search, rays, answers, counters } = self;
-        let mut scratch = Scratch::take();
+        let mut scratch = SCRATCH.take().unwrap_or_default();
         let Scratch { wave, packet, scattered } = &mut *scratch;
         scattered.clear();
         let (packets, rest) = rays.as_chunks::<{ packet::RAYS }>();
         let (of_packets, _) = answers.as_chunks_mut::<{ packet::RAYS }>();
         for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
-            let first = (number * packet::RAYS) as u32;
-            match packet::search::<S, P, C, true>(&search, rays, packet, counters) {
-                Some(best) => {
-                    for (ray, answer) in answers.iter_mut().enumerate() {
-                        *answer = best.hit >> ray & 1 != 0;
-                    }
-                }
-                None => scattered.extend(first..first + packet::RAYS as u32),
+            if !packet::search::<S, P, A, C>(&search, rays, answers, packet, counters) {
+                let first = (number * packet::RAYS) as u32;
+                scattered.extend(first..first + packet::RAYS as u32);
             }
         }
         scattered.extend((rays.len() - rest.len()) as u32..rays.len() as u32);
-        wave::search::<S, P, C, true>(&search, rays, scattered, wave, counters, |ray, hit| {
-            answers[ray as usize] = hit.is_hit();
-        });
+        wave::search::<S, P, A, C>(&search, rays, scattered, answers, wave, counters);
         SCRATCH.set(Some(scratch));
     }
 }

@@ -27,6 +27,19 @@ const CHILDREN: usize = 6;
 /// child comes in this place, the farthest first.
 const ORDER: usize = 7;
 
+/// The rows of planes that are the near ones for rays of an octant: a bit of it is set for each axis
+/// along which they run backwards. The far rows are the same numbers with the lowest bit changed.
+#[inline(always)]
+pub(super) fn near_rows(octant: u32) -> [u32; 3] {
+    [octant & 1, 2 + (octant >> 1 & 1), 4 + (octant >> 2 & 1)]
+}
+
+/// Where an octant's order stands in the words of [`Node::orders`].
+#[inline(always)]
+pub(super) fn order_shift(octant: u32) -> u32 {
+    3 * octant
+}
+
 /// A child in a word, as it stands on stacks: the index of a node, or a leaf's range of slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Child(pub(super) u32);
@@ -134,6 +147,11 @@ impl Node {
         Aabb { min: corner(0), max: corner(1) }
     }
 
+    /// The box around all children.
+    pub(super) fn bounds(&self) -> Aabb {
+        self.present().map(|(lane, _)| self.child_bounds(lane)).fold(Aabb::EMPTY, Aabb::union)
+    }
+
     /// Notes the order in which each octant's rays meet the children: by the children's centres
     /// along the octant's diagonal.
     pub(super) fn sort(&mut self) {
@@ -148,7 +166,7 @@ impl Node {
             let mut lanes: [usize; WIDTH] = std::array::from_fn(|lane| lane);
             lanes.sort_by(|a, b| along(b).total_cmp(&along(a)));
             for (word, lane) in self.rows[ORDER].iter_mut().zip(lanes) {
-                *word |= (lane as u32) << (3 * octant);
+                *word |= (lane as u32) << order_shift(octant);
             }
         }
     }
@@ -183,7 +201,7 @@ mod tests {
             node.set(lane, Child::node(lane), &Aabb { min: at, max: at });
         }
         node.sort();
-        let places = |octant: u32| node.orders().map(|word| word >> (3 * octant) & 7);
+        let places = |octant: u32| node.orders().map(|word| word >> order_shift(octant) & 7);
         assert_eq!(places(0)[..3], [0, 2, 1], "along +x");
         assert_eq!(places(1)[..3], [1, 2, 0], "along -x");
     }

@@ -7,13 +7,14 @@
 //! each lane. After Boulos, Wald, Shirley: *Geometric and Arithmetic Culling Methods for Entire Ray
 //! Packets*, 2006.
 
-use crate::accel::{PACK, Packs};
+use crate::accel::{PACK, Packs, Primitives};
 use crate::counters::Counters;
-use crate::math::{Hit, NONE, Padding, Ray};
+use crate::math::{NONE, Padding, Ray};
 use crate::simd::{Lanes, Lanes3, Mask, Row, Simd, ones};
 
 use super::Search;
-use super::node::{Child, Node};
+use super::answer::Answer;
+use super::node::{Child, Node, near_rows, order_shift};
 use super::slab_ray::{LARGEST_PRODUCT, SLACK};
 
 /// Rays of a packet.
@@ -56,11 +57,10 @@ struct Hull<S: Simd> {
 
 /// The best hits so far.
 pub(super) struct Best<R> {
-    t: R,
-    u: R,
-    v: R,
-    /// Ids, as bits.
-    prim: [u32; RAYS],
+    pub(super) t: R,
+    pub(super) u: R,
+    pub(super) v: R,
+    pub(super) prim: [u32; RAYS],
     /// A bit for each ray that has hit something.
     pub(super) hit: u32,
 }
@@ -158,7 +158,8 @@ impl<S: Simd> Packet<S> {
     /// The rows of a node's planes that are the near ones.
     #[inline(always)]
     fn near_rows(&self) -> [usize; 3] {
-        [self.backwards(0), 2 + self.backwards(1), 4 + self.backwards(2)]
+        let [x, y, z] = near_rows(self.octant);
+        [x as usize, y as usize, z as usize]
     }
 
     /// Where a ray enters one of the planes that are near, or leaves one that are far.
@@ -235,16 +236,18 @@ impl<S: Simd> Hull<S> {
 /// A bit for each ray.
 const ALL: u32 = (1 << RAYS) - 1;
 
-/// Finds the closest hits of sixteen rays, or with `ANY` which of them hit anything. Returns `None`,
-/// and has done nothing, if the rays are too different.
+/// Answers sixteen rays. Returns false, and has done nothing, if they are too different.
 #[inline(always)]
-pub(super) fn search<S: Simd, P: Packs, C: Counters, const ANY: bool>(
+pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
     search: &Search<'_, P>,
     rays: &[Ray; RAYS],
+    answers: &mut [A; RAYS],
     stack: &mut Stack,
     counters: &mut C,
-) -> Option<Best<S::F16>> {
-    let (packet, ends) = Packet::<S>::load(rays, search.padding)?;
+) -> bool {
+    let Some((packet, ends)) = Packet::<S>::load(rays, search.padding) else {
+        return false;
+    };
     let zero = S::F16::splat(0.0);
     let mut best = Best { t: ends, u: zero, v: zero, prim: [NONE; RAYS], hit: 0 };
     let tree = search.tree;
@@ -258,11 +261,11 @@ pub(super) fn search<S: Simd, P: Packs, C: Counters, const ANY: bool>(
     begins[0] = [f32::NEG_INFINITY; RAYS];
     let mut top = 1;
     let mut end = S::F8::splat(best.t.largest());
-    let shift = 3 * packet.octant;
+    let shift = order_shift(packet.octant);
     while top > 0 {
         top -= 1;
         let (child, mut active) = entries[top];
-        if ANY {
+        if A::ANY {
             active &= !best.hit;
         } else {
             active &= S::F16::load(&begins[top]).le(best.t).bits();
@@ -275,11 +278,18 @@ pub(super) fn search<S: Simd, P: Packs, C: Counters, const ANY: bool>(
                 counters.primitives(child.count() * active.count_ones());
             }
             let before = best.hit;
-            test_leaf::<S, P, ANY>(&packet, search.packs, child.block(), active, end, &mut best);
-            if ANY && best.hit == ALL {
+            test_leaf::<S, P::Packs, A>(
+                &packet,
+                search.packs,
+                child.block(),
+                active,
+                end,
+                &mut best,
+            );
+            if A::ANY && best.hit == ALL {
                 break;
             }
-            if !ANY || best.hit != before {
+            if !A::ANY || best.hit != before {
                 end = S::F8::splat(best.t.largest());
             }
             continue;
@@ -298,18 +308,19 @@ pub(super) fn search<S: Simd, P: Packs, C: Counters, const ANY: bool>(
             let (near, far) = packet.interval(node, lane, best.t);
             let entering = near.le(far).bits() & active;
             entries[top] = (Child(node.children()[lane]), entering);
-            if !ANY {
+            if !A::ANY {
                 near.store(&mut begins[top]);
             }
             top += usize::from(entering != 0);
         }
     }
-    Some(best)
+    A::of_packet(&best, answers);
+    true
 }
 
 /// Tests the primitives of a leaf that the packet as a whole does not miss.
 #[inline(always)]
-fn test_leaf<S: Simd, P: Packs, const ANY: bool>(
+fn test_leaf<S: Simd, P: Packs, A: Answer>(
     packet: &Packet<S>,
     packs: &P,
     block: usize,
@@ -340,7 +351,7 @@ fn test_leaf<S: Simd, P: Packs, const ANY: bool>(
         }
         let bounds = packs.bounds(block, lane);
         found &= packet.accepts([bounds.min.to_array(), bounds.max.to_array()], t);
-        if ANY {
+        if A::ANY {
             best.hit |= found;
             active &= !found;
             if active == 0 {
@@ -361,22 +372,6 @@ fn test_leaf<S: Simd, P: Packs, const ANY: bool>(
         best.hit |= found;
         for ray in ones(found) {
             best.prim[ray % RAYS] = prim;
-        }
-    }
-}
-
-impl<R: Row<RAYS>> Best<R> {
-    /// Writes the hits.
-    #[inline(always)]
-    pub(super) fn write(&self, hits: &mut [Hit; RAYS]) {
-        let mut rows = [[0.0; RAYS]; 3];
-        self.t.store(&mut rows[0]);
-        self.u.store(&mut rows[1]);
-        self.v.store(&mut rows[2]);
-        for (ray, hit) in hits.iter_mut().enumerate() {
-            let [t, u, v] = [rows[0][ray], rows[1][ray], rows[2][ray]];
-            let found = Hit { t, object: 0, prim: self.prim[ray], u, v };
-            *hit = if self.hit >> ray & 1 != 0 { found } else { Hit::MISS };
         }
     }
 }

@@ -12,6 +12,27 @@ pub(super) const LARGEST_PRODUCT: f32 = 1e37;
 /// Four units of rounding: the fused form is off by at most three of them.
 pub(super) const SLACK: f32 = 4.0 * (f32::EPSILON / 2.0);
 
+/// What the near and the far planes of boxes are measured from.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sides {
+    pub(super) near: Vec3A,
+    pub(super) far: Vec3A,
+    /// A bit for each axis along which the ray runs backwards.
+    pub(super) octant: u32,
+}
+
+impl Sides {
+    #[inline(always)]
+    pub(super) fn of(box_ray: &BoxRay) -> Self {
+        let backwards = box_ray.inv_dir.cmplt(Vec3A::ZERO);
+        Self {
+            near: Vec3A::select(backwards, box_ray.origin_minus, box_ray.origin_plus),
+            far: Vec3A::select(backwards, box_ray.origin_plus, box_ray.origin_minus),
+            octant: backwards.bitmask(),
+        }
+    }
+}
+
 /// The terms of the slab test `plane·inv_dir − offset`.
 ///
 /// Where an instruction set fuses product and difference, the test is one operation a plane, and
@@ -37,10 +58,7 @@ impl SlabRay {
     #[inline(always)]
     pub(super) fn new<S: Simd>(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Option<Self> {
         let inv_dir = box_ray.inv_dir;
-        let backwards = inv_dir.cmplt(Vec3A::ZERO);
-        let octant = backwards.bitmask();
-        let near = Vec3A::select(backwards, box_ray.origin_minus, box_ray.origin_plus);
-        let far = Vec3A::select(backwards, box_ray.origin_plus, box_ray.origin_minus);
+        let Sides { near, far, octant } = Sides::of(box_ray);
         let width = Vec3A::from(ray.origin).abs() + Vec3A::splat(padding.largest + box_ray.pad);
         let product = width * inv_dir.abs();
         if !product.cmple(Vec3A::splat(LARGEST_PRODUCT)).all() {
@@ -51,17 +69,5 @@ impl SlabRay {
         }
         let slack = product * SLACK + Vec3A::splat(f32::MIN_POSITIVE);
         Some(Self { inv_dir, near: near * inv_dir + slack, far: far * inv_dir - slack, octant })
-    }
-
-    /// The rows of a node's planes that are the near ones.
-    #[inline(always)]
-    pub(super) fn near_rows(&self) -> [u32; 3] {
-        [self.octant & 1, 2 + (self.octant >> 1 & 1), 4 + (self.octant >> 2)]
-    }
-
-    /// Where the octant's order stands in a node's words.
-    #[inline(always)]
-    pub(super) fn order_shift(&self) -> u32 {
-        3 * self.octant
     }
 }

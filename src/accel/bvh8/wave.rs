@@ -6,13 +6,14 @@
 //! it, by arithmetic, to the list that it belongs to next. The rays of a phase do not depend on
 //! each other, so the processor works on several at once.
 
-use crate::accel::{PACK, Packs};
+use crate::accel::{PACK, Packs, Primitives};
 use crate::counters::Counters;
 use crate::math::{BoxRay, Hit, NONE, Ray};
 use crate::simd::{Mask, Row, Simd, splat3};
 
 use super::Search;
-use super::node::Child;
+use super::answer::Answer;
+use super::node::{Child, near_rows, order_shift};
 use super::slab_ray::SlabRay;
 
 /// Rays in flight.
@@ -92,8 +93,8 @@ impl<'a> List<'a> {
     }
 }
 
-impl Scratch {
-    pub(super) fn new() -> Self {
+impl Default for Scratch {
+    fn default() -> Self {
         Self {
             slots: Vec::new(),
             entries: Vec::new(),
@@ -103,7 +104,9 @@ impl Scratch {
             candidates: Vec::new(),
         }
     }
+}
 
+impl Scratch {
     /// Makes room for the stacks of a tree that puts up to `need` entries on one.
     fn prepare(&mut self, need: usize) {
         // Below the entries lies the end of the stack; beyond them, a row is written at once.
@@ -150,16 +153,15 @@ impl Slot {
     };
 }
 
-/// Finds the closest hits of some rays, or with `ANY` whether they hit anything: then any hit will
-/// do. `put` gets each ray's number and what it found.
+/// Answers those of the rays whose places in the slice are in `which`.
 #[inline(always)]
-pub(super) fn search<S: Simd, P: Packs, C: Counters, const ANY: bool>(
+pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
     search: &Search<'_, P>,
     rays: &[Ray],
     which: &[u32],
+    answers: &mut [A],
     scratch: &mut Scratch,
     counters: &mut C,
-    mut put: impl FnMut(u32, Hit),
 ) {
     let tree = search.tree;
     scratch.prepare(tree.need);
@@ -180,13 +182,13 @@ pub(super) fn search<S: Simd, P: Packs, C: Counters, const ANY: bool>(
     let slots: &mut [Slot; RAYS] = slots.first_chunk_mut().expect("a slot for each ray");
     let mut waiting = which.iter();
     for slot in 0..RAYS as u32 {
-        let taken = take::<S, P, C, ANY>(
+        let taken = take::<S, P, A, C>(
             search,
             rays,
             &mut waiting,
             &mut slots[slot as usize],
             counters,
-            &mut put,
+            answers,
         );
         nodes.append(slot, taken);
         if !taken {
@@ -220,7 +222,7 @@ pub(super) fn search<S: Simd, P: Packs, C: Counters, const ANY: bool>(
                 );
             let bottom = id as usize % RAYS * stride;
             let top = bottom + slot.height as usize;
-            if ANY {
+            if A::ANY {
                 let mask = begin.le(end).bits();
                 S::compress(mask, node.children(), row_mut(entries, top));
                 slot.height += mask.count_ones();
@@ -257,7 +259,7 @@ pub(super) fn search<S: Simd, P: Packs, C: Counters, const ANY: bool>(
             let in_reach = S::F8::splat(slot.t_min).le(t) & t.le(S::F8::splat(slot.end));
             let lanes = (inside & in_reach).bits();
             let bottom = id as usize % RAYS * stride;
-            if ANY {
+            if A::ANY {
                 // A candidate nearly always ends the search: one surprise a ray at most.
                 if lanes != 0 {
                     let mut ts = [0.0; PACK];
@@ -288,7 +290,7 @@ pub(super) fn search<S: Simd, P: Packs, C: Counters, const ANY: bool>(
         for (index, &id) in with_candidate.slots().iter().enumerate() {
             let slot = &mut slots[id as usize % RAYS];
             let bottom = id as usize % RAYS * stride;
-            if improve::<S, P>(slot, search.packs, &candidates[index % RAYS]) {
+            if improve::<S, P::Packs>(slot, search.packs, &candidates[index % RAYS]) {
                 let height = slot.height as usize;
                 let kept = drop_behind::<S>(
                     &mut entries[bottom..bottom + stride],
@@ -304,8 +306,8 @@ pub(super) fn search<S: Simd, P: Packs, C: Counters, const ANY: bool>(
 
         for &id in done.slots() {
             let slot = &mut slots[id as usize % RAYS];
-            put(slot.ray, slot.hit());
-            let taken = take::<S, P, C, ANY>(search, rays, &mut waiting, slot, counters, &mut put);
+            answers[slot.ray as usize] = A::of(slot.hit());
+            let taken = take::<S, P, A, C>(search, rays, &mut waiting, slot, counters, answers);
             nodes.append(id, taken);
         }
         done.length = 0;
@@ -323,24 +325,24 @@ impl Slot {
 
 /// Puts the next ray into a slot. Rays that the slab test cannot take are traced at once, alone.
 #[inline(always)]
-fn take<S: Simd, P: Packs, C: Counters, const ANY: bool>(
+fn take<S: Simd, P: Primitives, A: Answer, C: Counters>(
     search: &Search<'_, P>,
     rays: &[Ray],
     waiting: &mut std::slice::Iter<'_, u32>,
     slot: &mut Slot,
     counters: &mut C,
-    put: &mut impl FnMut(u32, Hit),
+    answers: &mut [A],
 ) -> bool {
     for &index in waiting {
         let ray = &rays[index as usize];
         let box_ray = BoxRay::new(ray, search.padding);
         let Some(slab) = SlabRay::new::<S>(ray, &box_ray, search.padding) else {
-            put(index, search.alone::<C, ANY>(ray, &box_ray, counters));
+            answers[index as usize] = A::alone(search.tree, search.primitives, ray, counters);
             continue;
         };
         // Field by field: a whole slot would be put together elsewhere and copied.
-        slot.near_rows = slab.near_rows();
-        slot.order_shift = slab.order_shift();
+        slot.near_rows = near_rows(slab.octant);
+        slot.order_shift = order_shift(slab.octant);
         slot.slab = slab;
         slot.origin = ray.origin.to_array();
         slot.t_min = ray.t_min;
