@@ -30,8 +30,12 @@ pub(super) fn scaled_hit<L: Lanes>(
     let det = dot(e1, h);
     let s = sub(origin, v0);
     let q = cross(s, e1);
-    let sign = det.signum();
-    ScaledHit { u: dot(s, h) * sign, v: dot(dir, q) * sign, t: dot(e2, q) * sign, det: det.abs() }
+    ScaledHit {
+        u: dot(s, h).flipped_by(det),
+        v: dot(dir, q).flipped_by(det),
+        t: dot(e2, q).flipped_by(det),
+        det: det.abs(),
+    }
 }
 
 /// One triangle.
@@ -72,15 +76,15 @@ impl Triangle {
         // first: most rays that leave a surface have it behind them.
         let h = cross(dir, e2);
         let det = dot(e1, h);
-        let (sign, size) = (det.signum(), det.abs());
+        let size = det.abs();
         let s = sub(origin, v0);
         let q = cross(s, e1);
-        let t = dot(e2, q) * sign;
-        let u = dot(s, h) * sign;
+        let t = dot(e2, q).flipped_by(det);
+        let u = dot(s, h).flipped_by(det);
         if !(t >= 0.0 && u >= 0.0 && u <= size) {
             return None;
         }
-        let v = dot(dir, q) * sign;
+        let v = dot(dir, q).flipped_by(det);
         if !(v >= 0.0 && u + v <= size) {
             return None;
         }

@@ -13,10 +13,12 @@ pub trait Lanes:
 {
     /// Absolute values.
     fn abs(self) -> Self;
-    /// 1 where the sign bit is clear, −1 where it is set, NaN for NaN. A product with it changes
-    /// signs and nothing else.
-    fn signum(self) -> Self;
+    /// The same values, with their signs changed where the sign bit of `of` is set.
+    fn flipped_by(self, of: Self) -> Self;
 }
+
+/// The sign bit.
+const SIGN: u32 = 1 << 31;
 
 impl Lanes for f32 {
     #[inline(always)]
@@ -24,8 +26,8 @@ impl Lanes for f32 {
         f32::abs(self)
     }
     #[inline(always)]
-    fn signum(self) -> Self {
-        f32::signum(self)
+    fn flipped_by(self, of: Self) -> Self {
+        f32::from_bits(self.to_bits() ^ of.to_bits() & SIGN)
     }
 }
 
@@ -35,8 +37,11 @@ impl Lanes for Vec4 {
         Vec4::abs(self)
     }
     #[inline(always)]
-    fn signum(self) -> Self {
-        Vec4::signum(self)
+    fn flipped_by(self, of: Self) -> Self {
+        // With the bits of `of` in place of the numbers' own, only signs are taken from it.
+        let flipped = glam::UVec4::from_array(self.to_array().map(f32::to_bits))
+            ^ glam::UVec4::from_array(of.to_array().map(f32::to_bits)) & glam::UVec4::splat(SIGN);
+        Vec4::from_array(flipped.to_array().map(f32::from_bits))
     }
 }
 
@@ -87,9 +92,12 @@ mod tests {
         let values = [1.5f32, -0.0, f32::MIN_POSITIVE, -3.0e30];
         let row = Vec4::from_array(values);
         for (i, x) in values.into_iter().enumerate() {
-            assert_eq!(Lanes::signum(row)[i].to_bits(), Lanes::signum(x).to_bits());
+            for of in [1.0, -0.0, f32::NEG_INFINITY] {
+                let flipped = row.flipped_by(Vec4::splat(of))[i];
+                assert_eq!(flipped.to_bits(), x.flipped_by(of).to_bits());
+                assert_eq!(flipped.to_bits(), (x * of.signum()).to_bits());
+            }
             assert_eq!(Lanes::abs(row)[i].to_bits(), Lanes::abs(x).to_bits());
         }
-        assert!(Lanes::signum(Vec4::NAN).is_nan_mask().all() && Lanes::signum(f32::NAN).is_nan());
     }
 }

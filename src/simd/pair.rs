@@ -46,8 +46,8 @@ impl<R: Lanes> Lanes for Pair<R> {
         Self(self.0.abs(), self.1.abs())
     }
     #[inline(always)]
-    fn signum(self) -> Self {
-        Self(self.0.signum(), self.1.signum())
+    fn flipped_by(self, of: Self) -> Self {
+        Self(self.0.flipped_by(of.0), self.1.flipped_by(of.1))
     }
 }
 

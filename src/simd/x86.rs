@@ -162,25 +162,23 @@ arithmetic!(MaskedEight, _mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps, _mm256_div
 arithmetic!(Sixteen, _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps);
 
 macro_rules! lanes {
-    ($row:ident, $set:ident, $and:ident, $andnot:ident, $or:ident) => {
+    ($row:ident, $set:ident, $and:ident, $andnot:ident, $xor:ident) => {
         impl Lanes for $row {
             #[inline(always)]
             fn abs(self) -> Self {
                 Self(op!($andnot($set(-0.0), self.0)))
             }
-            /// ±1 by the sign bit. The NaN of the scalar operation is not made: a product with
-            /// what came from a NaN is one anyway.
             #[inline(always)]
-            fn signum(self) -> Self {
-                Self(op!($or($and($set(-0.0), self.0), $set(1.0))))
+            fn flipped_by(self, of: Self) -> Self {
+                Self(op!($xor(self.0, $and($set(-0.0), of.0))))
             }
         }
     };
 }
 
-lanes!(Eight, _mm256_set1_ps, _mm256_and_ps, _mm256_andnot_ps, _mm256_or_ps);
-lanes!(MaskedEight, _mm256_set1_ps, _mm256_and_ps, _mm256_andnot_ps, _mm256_or_ps);
-lanes!(Sixteen, _mm512_set1_ps, _mm512_and_ps, _mm512_andnot_ps, _mm512_or_ps);
+lanes!(Eight, _mm256_set1_ps, _mm256_and_ps, _mm256_andnot_ps, _mm256_xor_ps);
+lanes!(MaskedEight, _mm256_set1_ps, _mm256_and_ps, _mm256_andnot_ps, _mm256_xor_ps);
+lanes!(Sixteen, _mm512_set1_ps, _mm512_and_ps, _mm512_andnot_ps, _mm512_xor_ps);
 
 macro_rules! eight {
     ($row:ident, $mask:ident, $cmp:ident, $select:ident) => {

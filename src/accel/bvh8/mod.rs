@@ -25,7 +25,7 @@ use crate::simd::{Kernel, Simd, dispatch};
 
 use self::answer::Answer;
 use self::collapse::{Leaves, collapse};
-use self::node::{Child, Node, WIDTH, near_rows, order_shift};
+use self::node::{Child, FAR, Node, WIDTH, near_planes, order_shift};
 use self::slab_ray::Sides;
 use super::{
     Accel, Bounded, BuildConfig, Built, PACK, Primitives, StructureShape, Tree, blocked_of_each,
@@ -190,7 +190,7 @@ fn stack_need(nodes: &[Node]) -> usize {
 struct WideRay {
     origins: [[Vec4; 2]; 3],
     inv_dir: [Vec4; 3],
-    near_rows: [u32; 3],
+    near_planes: [u32; 3],
     order_shift: u32,
     t_min: Vec4,
 }
@@ -202,7 +202,7 @@ impl WideRay {
         Self {
             origins: std::array::from_fn(|axis| [Vec4::splat(near[axis]), Vec4::splat(far[axis])]),
             inv_dir: std::array::from_fn(|axis| Vec4::splat(box_ray.inv_dir[axis])),
-            near_rows: near_rows(octant),
+            near_planes: near_planes(octant),
             order_shift: order_shift(octant),
             t_min: Vec4::splat(ray.t_min),
         }
@@ -216,9 +216,9 @@ impl WideRay {
         for half in [0, 4] {
             let (mut begin, mut leave) = (self.t_min, Vec4::splat(end));
             for axis in 0..3 {
-                let row = self.near_rows[axis] as usize;
-                let near = planes_of_half(node, row, half);
-                let far = planes_of_half(node, row ^ 1, half);
+                let place = self.near_planes[axis];
+                let near = planes_of_half(node, place, half);
+                let far = planes_of_half(node, place ^ FAR, half);
                 begin = begin.max((near - self.origins[axis][0]) * self.inv_dir[axis]);
                 leave = leave.min((far - self.origins[axis][1]) * self.inv_dir[axis]);
             }
@@ -230,8 +230,8 @@ impl WideRay {
 }
 
 #[inline(always)]
-fn planes_of_half(node: &Node, row: usize, half: usize) -> Vec4 {
-    let plane = |lane: usize| node.plane(row, half + lane);
+fn planes_of_half(node: &Node, place: u32, half: usize) -> Vec4 {
+    let plane = |lane: usize| node.plane(place, half + lane);
     Vec4::new(plane(0), plane(1), plane(2), plane(3))
 }
 
@@ -245,10 +245,10 @@ struct Search<'a, P: Primitives> {
 
 impl<'a, P: Primitives> Search<'a, P> {
     /// What the kernels take, if they can: not primitives without packs, nor an empty tree, nor one
-    /// so deep that their stacks would fill the memory.
+    /// so deep that it would need higher stacks than theirs.
     fn new(tree: &'a Bvh8, primitives: &'a P) -> Option<Self> {
         let packs = primitives.packs()?;
-        let suits = !tree.nodes.is_empty() && tree.need < 1 << 14;
+        let suits = !tree.nodes.is_empty() && tree.need < wave::HEIGHT;
         suits.then(|| Self { tree, primitives, packs, padding: primitives.padding() })
     }
 }

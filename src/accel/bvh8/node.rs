@@ -14,24 +14,30 @@ pub(super) const WIDTH: usize = 8;
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(super) struct Node {
-    /// Low planes along x, high planes along x, then y and z, as bits of floats: a ray picks its
-    /// near and far planes by a row's number. Then children and orders. Eight rows, so that a number
-    /// of three bits is always in range.
-    rows: [[u32; WIDTH]; 8],
+    /// Rows of eight words: low planes along x, high planes along x, then y and z, as bits of
+    /// floats; then children and orders. A ray picks its near and far planes by where a row begins.
+    words: [u32; ROWS * WIDTH],
 }
 
-/// The row of the children: see [`Child`].
-const CHILDREN: usize = 6;
+/// Rows of a node: a power of two, so that every number cut to its bits begins a row.
+const ROWS: usize = 8;
 
-/// The row of the orders. For each octant of directions there are three bits in every word: which
+/// Where the children stand: see [`Child`].
+const CHILDREN: usize = 6 * WIDTH;
+
+/// Where the orders stand. For each octant of directions there are three bits in every word: which
 /// child comes in this place, the farthest first.
-const ORDER: usize = 7;
+const ORDERS: usize = 7 * WIDTH;
 
-/// The rows of planes that are the near ones for rays of an octant: a bit of it is set for each axis
-/// along which they run backwards. The far rows are the same numbers with the lowest bit changed.
+/// The bit in which the places of near and far planes differ.
+pub(super) const FAR: u32 = WIDTH as u32;
+
+/// Where the planes stand that are the near ones for rays of an octant: a bit of it is set for each
+/// axis along which they run backwards. The far ones stand at the same places with [`FAR`] changed.
 #[inline(always)]
-pub(super) fn near_rows(octant: u32) -> [u32; 3] {
-    [octant & 1, 2 + (octant >> 1 & 1), 4 + (octant >> 2 & 1)]
+pub(super) fn near_planes(octant: u32) -> [u32; 3] {
+    let place = |axis: u32| (2 * axis + (octant >> axis & 1)) * WIDTH as u32;
+    [place(0), place(1), place(2)]
 }
 
 /// Where an octant's order stands in the words of [`Node::orders`].
@@ -95,42 +101,57 @@ impl Child {
 impl Node {
     /// A node without children.
     pub(super) const EMPTY: Self = {
-        let low = [f32::INFINITY.to_bits(); WIDTH];
-        let high = [f32::NEG_INFINITY.to_bits(); WIDTH];
-        Self { rows: [low, high, low, high, low, high, [Child::ABSENT.0; WIDTH], [0; WIDTH]] }
+        let mut words = [0; ROWS * WIDTH];
+        let mut i = 0;
+        while i < ORDERS {
+            words[i] = match i / WIDTH {
+                0 | 2 | 4 => f32::INFINITY.to_bits(),
+                1 | 3 | 5 => f32::NEG_INFINITY.to_bits(),
+                _ => Child::ABSENT.0,
+            };
+            i += 1;
+        }
+        Self { words }
     };
 
-    /// A row of planes.
+    /// The row that begins at a place.
     #[inline(always)]
-    pub(super) fn planes<S: Simd>(&self, row: usize) -> S::F8 {
-        S::F8::load_bits(&self.rows[row % 8])
+    fn row(&self, place: usize) -> &[u32; WIDTH] {
+        let behind = &self.words[place & (ROWS - 1) * WIDTH..];
+        behind.first_chunk().expect("rows are whole")
     }
 
-    /// One child's plane.
+    /// The planes that stand at a place: see [`near_planes`].
     #[inline(always)]
-    pub(super) fn plane(&self, row: usize, lane: usize) -> f32 {
-        f32::from_bits(self.rows[row % 8][lane % WIDTH])
+    pub(super) fn planes<S: Simd>(&self, place: u32) -> S::F8 {
+        S::F8::load_bits(self.row(place as usize))
+    }
+
+    /// One child's plane of those that stand at a place.
+    #[inline(always)]
+    pub(super) fn plane(&self, place: u32, lane: usize) -> f32 {
+        f32::from_bits(self.row(place as usize)[lane % WIDTH])
     }
 
     /// The children's words.
     #[inline(always)]
     pub(super) fn children(&self) -> &[u32; WIDTH] {
-        &self.rows[CHILDREN]
+        self.row(CHILDREN)
     }
 
     /// The orders of the octants.
     #[inline(always)]
     pub(super) fn orders(&self) -> &[u32; WIDTH] {
-        &self.rows[ORDER]
+        self.row(ORDERS)
     }
 
     /// Puts a child into a lane.
     pub(super) fn set(&mut self, lane: usize, child: Child, bounds: &Aabb) {
         for axis in 0..3 {
-            self.rows[2 * axis][lane] = bounds.min[axis].to_bits();
-            self.rows[2 * axis + 1][lane] = bounds.max[axis].to_bits();
+            self.words[2 * axis * WIDTH + lane] = bounds.min[axis].to_bits();
+            self.words[(2 * axis + 1) * WIDTH + lane] = bounds.max[axis].to_bits();
         }
-        self.rows[CHILDREN][lane] = child.0;
+        self.words[CHILDREN + lane] = child.0;
     }
 
     /// The children that are there, with their lanes.
@@ -141,10 +162,8 @@ impl Node {
 
     /// A child's box.
     pub(super) fn child_bounds(&self, lane: usize) -> Aabb {
-        let corner = |high: usize| {
-            Vec3A::from_array(std::array::from_fn(|axis| self.plane(2 * axis + high, lane)))
-        };
-        Aabb { min: corner(0), max: corner(1) }
+        let corner = |octant| Vec3A::from_array(near_planes(octant).map(|at| self.plane(at, lane)));
+        Aabb { min: corner(0), max: corner(0b111) }
     }
 
     /// The box around all children.
@@ -157,7 +176,7 @@ impl Node {
     pub(super) fn sort(&mut self) {
         let centers: Vec<_> =
             self.present().map(|(lane, _)| self.child_bounds(lane).center()).collect();
-        self.rows[ORDER] = [0; WIDTH];
+        self.words[ORDERS..].fill(0);
         for octant in 0..8 {
             let diagonal = Vec3A::from_array(std::array::from_fn(|axis| {
                 if octant >> axis & 1 == 0 { 1.0 } else { -1.0 }
@@ -165,7 +184,7 @@ impl Node {
             let along = |lane: &usize| centers.get(*lane).map_or(f32::MIN, |c| c.dot(diagonal));
             let mut lanes: [usize; WIDTH] = std::array::from_fn(|lane| lane);
             lanes.sort_by(|a, b| along(b).total_cmp(&along(a)));
-            for (word, lane) in self.rows[ORDER].iter_mut().zip(lanes) {
+            for (word, lane) in self.words[ORDERS..].iter_mut().zip(lanes) {
                 *word |= (lane as u32) << order_shift(octant);
             }
         }

@@ -14,7 +14,7 @@ use crate::simd::{Lanes, Lanes3, Mask, Row, Simd, ones};
 
 use super::Search;
 use super::answer::Answer;
-use super::node::{Child, Node, near_rows, order_shift};
+use super::node::{Child, FAR, Node, near_planes, order_shift};
 use super::slab_ray::{LARGEST_PRODUCT, SLACK};
 
 /// Rays of a packet.
@@ -147,39 +147,35 @@ impl<S: Simd> Packet<S> {
     /// What the intervals of all rays in a node's eight boxes lie in.
     #[inline(always)]
     fn hull_of_node(&self, node: &Node, end: S::F8) -> (S::F8, S::F8) {
-        let [x, y, z] = self.near_rows();
+        let [x, y, z] = near_planes(self.octant);
         self.hull.interval(
             [node.planes::<S>(x), node.planes::<S>(y), node.planes::<S>(z)],
-            [node.planes::<S>(x ^ 1), node.planes::<S>(y ^ 1), node.planes::<S>(z ^ 1)],
+            [node.planes::<S>(x ^ FAR), node.planes::<S>(y ^ FAR), node.planes::<S>(z ^ FAR)],
             end,
         )
     }
 
-    /// The rows of a node's planes that are the near ones.
+    /// Where each ray meets a child's plane along an axis.
     #[inline(always)]
-    fn near_rows(&self) -> [usize; 3] {
-        let [x, y, z] = near_rows(self.octant);
-        [x as usize, y as usize, z as usize]
-    }
-
-    /// Where a ray enters one of the planes that are near, or leaves one that are far.
-    #[inline(always)]
-    fn slab(&self, node: &Node, row: usize, lane: usize, offsets: &Lanes3<S::F16>) -> S::F16 {
-        let axis = row / 2 % 3;
-        let plane = S::F16::splat(node.plane(row, lane));
-        S::F16::slab(plane, self.inv_dir[axis], offsets[axis])
+    fn slab(&self, plane: f32, axis: usize, offsets: &Lanes3<S::F16>) -> S::F16 {
+        S::F16::slab(S::F16::splat(plane), self.inv_dir[axis], offsets[axis])
     }
 
     /// Where each ray enters and leaves a box.
     #[inline(always)]
     fn interval(&self, node: &Node, lane: usize, end: S::F16) -> (S::F16, S::F16) {
-        let [x, y, z] = self.near_rows();
+        let [x, y, z] = near_planes(self.octant);
         let (near, far) = (&self.near_offset, &self.far_offset);
-        let begin = self.slab(node, x, lane, near).max(self.slab(node, y, lane, near));
-        let leave = self.slab(node, x ^ 1, lane, far).min(self.slab(node, y ^ 1, lane, far));
+        let begin =
+            self.slab(node.plane(x, lane), 0, near).max(self.slab(node.plane(y, lane), 1, near));
+        let leave = self.slab(node.plane(x ^ FAR, lane), 0, far).min(self.slab(
+            node.plane(y ^ FAR, lane),
+            1,
+            far,
+        ));
         (
-            begin.max(self.slab(node, z, lane, near).max(self.t_min)),
-            leave.min(self.slab(node, z ^ 1, lane, far).min(end)),
+            begin.max(self.slab(node.plane(z, lane), 2, near).max(self.t_min)),
+            leave.min(self.slab(node.plane(z ^ FAR, lane), 2, far).min(end)),
         )
     }
 

@@ -13,59 +13,69 @@ use crate::simd::{Mask, Row, Simd, splat3};
 
 use super::Search;
 use super::answer::Answer;
-use super::node::{Child, near_rows, order_shift};
+use super::node::{Child, FAR, near_planes, order_shift};
 use super::slab_ray::SlabRay;
 
 /// Rays in flight.
 const RAYS: usize = 32;
 
+/// The most entries that a ray's stack holds, a power of two: enough for trees of billions. What is
+/// deeper is not traced in waves.
+pub(super) const HEIGHT: usize = 128;
+
+/// Room for the entries, for the row that is written at once beyond them, and so much more that
+/// slots do not lie at a multiple of the distance that a cache's sets repeat in.
+const ROOM: usize = HEIGHT + PACK + 8;
+
 /// The memory of a wave, kept from call to call.
 pub(super) struct Scratch {
-    slots: Vec<Slot>,
-    /// The rays' stacks, one behind the other: what is to be visited, and where it begins.
-    entries: Vec<u32>,
-    distances: Vec<f32>,
-    /// Places of a ray's stack.
-    stride: usize,
-    /// The memory of the lists.
-    lists: [[u32; 2 * RAYS]; 6],
-    candidates: Vec<Candidates>,
+    slots: [Slot; RAYS],
+    candidates: [Candidates; RAYS],
 }
 
-/// A ray in flight.
+/// A ray in flight. What a visit of a node reads stands in the first cache line, what a visit of a
+/// leaf reads in the next.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 struct Slot {
-    slab: SlabRay,
-    origin: [f32; 3],
+    inv_dir: [f32; 3],
     t_min: f32,
-    dir: [f32; 3],
+    near: [f32; 3],
     /// The end of the search: the best hit's parameter, or the ray's end.
     end: f32,
-    near_rows: [u32; 3],
-    order_shift: u32,
-    /// Where it stands.
-    at: Child,
+    far: [f32; 3],
     /// Entries on its stack.
     height: u32,
+    near_planes: [u32; 3],
+    order_shift: u32,
+
+    origin: [f32; 3],
+    /// Where it stands.
+    at: Child,
+    dir: [f32; 3],
     /// The best hit.
     prim: u32,
     u: f32,
     v: f32,
     /// Its number in the caller's slice.
     ray: u32,
+
     box_ray: BoxRay,
+    /// The stack: what is to be visited, and where it begins. At the bottom lies the end.
+    entries: [u32; ROOM],
+    distances: [f32; ROOM],
 }
 
 /// Rays by their slot; room for one more than there can be, because what does not belong is
 /// written too, and then overwritten.
-struct List<'a> {
-    slots: &'a mut [u32; 2 * RAYS],
+#[derive(Clone, Copy)]
+struct List {
+    slots: [u8; 2 * RAYS],
     length: usize,
 }
 
 /// What a leaf offers a ray.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 struct Candidates {
     t: [f32; PACK],
@@ -73,73 +83,62 @@ struct Candidates {
     v: [f32; PACK],
     det: [f32; PACK],
     lanes: u32,
+    block: u32,
 }
 
-impl<'a> List<'a> {
-    fn empty(slots: &'a mut [u32; 2 * RAYS]) -> Self {
-        Self { slots, length: 0 }
-    }
+impl List {
+    const EMPTY: Self = Self { slots: [0; 2 * RAYS], length: 0 };
 
-    /// Appends a slot if it `belongs`.
+    /// Appends a slot if it `belongs`, by arithmetic.
     #[inline(always)]
-    fn append(&mut self, slot: u32, belongs: bool) {
+    fn append(&mut self, slot: u8, belongs: bool) {
         self.slots[self.length % (2 * RAYS)] = slot;
         self.length += usize::from(belongs);
     }
 
+    /// Empties the list, and returns how many slots it had. They still stand there: whoever goes
+    /// through them may append each, or not, behind those that it has appended before.
     #[inline(always)]
-    fn slots(&self) -> &[u32] {
-        &self.slots[..self.length.min(2 * RAYS)]
+    fn restart(&mut self) -> usize {
+        std::mem::take(&mut self.length)
+    }
+
+    #[inline(always)]
+    fn slot(&self, place: usize) -> u8 {
+        self.slots[place % (2 * RAYS)]
     }
 }
 
 impl Default for Scratch {
     fn default() -> Self {
-        Self {
-            slots: Vec::new(),
-            entries: Vec::new(),
-            distances: Vec::new(),
-            stride: 0,
-            lists: [[0; 2 * RAYS]; 6],
-            candidates: Vec::new(),
-        }
+        Self { slots: [Slot::VACANT; RAYS], candidates: [Candidates::NONE; RAYS] }
     }
 }
 
-impl Scratch {
-    /// Makes room for the stacks of a tree that puts up to `need` entries on one.
-    fn prepare(&mut self, need: usize) {
-        // Below the entries lies the end of the stack; beyond them, a row is written at once.
-        let stride = (1 + need + PACK).next_multiple_of(PACK);
-        if self.slots.is_empty() || self.stride < stride {
-            self.stride = stride;
-            self.slots.resize(RAYS, Slot::VACANT);
-            // The bottoms of the stacks move, and each must hold the end.
-            self.entries.clear();
-            self.distances.clear();
-            self.entries.resize(RAYS * stride, Child::ABSENT.0);
-            self.distances.resize(RAYS * stride, f32::NEG_INFINITY);
-            self.candidates.resize(RAYS, Candidates::default());
-        }
-    }
+impl Candidates {
+    const NONE: Self = Self {
+        t: [0.0; PACK],
+        u: [0.0; PACK],
+        v: [0.0; PACK],
+        det: [0.0; PACK],
+        lanes: 0,
+        block: 0,
+    };
 }
 
 impl Slot {
     const VACANT: Self = Self {
-        slab: SlabRay {
-            inv_dir: glam::Vec3A::ZERO,
-            near: glam::Vec3A::ZERO,
-            far: glam::Vec3A::ZERO,
-            octant: 0,
-        },
-        origin: [0.0; 3],
+        inv_dir: [0.0; 3],
         t_min: 0.0,
-        dir: [0.0; 3],
+        near: [0.0; 3],
         end: 0.0,
-        near_rows: [0; 3],
-        order_shift: 0,
-        at: Child::ABSENT,
+        far: [0.0; 3],
         height: 0,
+        near_planes: [0; 3],
+        order_shift: 0,
+        origin: [0.0; 3],
+        at: Child::ABSENT,
+        dir: [0.0; 3],
         prim: NONE,
         u: 0.0,
         v: 0.0,
@@ -150,6 +149,8 @@ impl Slot {
             origin_minus: glam::Vec3A::ZERO,
             pad: 0.0,
         },
+        entries: [Child::ABSENT.0; ROOM],
+        distances: [f32::NEG_INFINITY; ROOM],
     };
 }
 
@@ -163,68 +164,50 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
     scratch: &mut Scratch,
     counters: &mut C,
 ) {
-    let tree = search.tree;
-    scratch.prepare(tree.need);
-    let Scratch {
-        slots,
-        entries,
-        distances,
-        stride,
-        lists: [nodes, next_nodes, leaves, next_leaves, with_candidate, done],
-        candidates,
-    } = scratch;
-    let stride = *stride;
-    let (mut nodes, mut next_nodes) = (List::empty(nodes), List::empty(next_nodes));
-    let (mut leaves, mut next_leaves) = (List::empty(leaves), List::empty(next_leaves));
-    let (mut with_candidate, mut done) = (List::empty(with_candidate), List::empty(done));
-    let candidates: &mut [Candidates; RAYS] =
-        candidates.first_chunk_mut().expect("a place for each ray");
-    let slots: &mut [Slot; RAYS] = slots.first_chunk_mut().expect("a slot for each ray");
+    let tree = &search.tree.nodes[..];
+    let packs = search.packs;
+    let Scratch { slots, candidates } = scratch;
+    let mut nodes = List::EMPTY;
+    let mut leaves = List::EMPTY;
+    let mut improved = List::EMPTY;
+    let mut done = List::EMPTY;
     let mut waiting = which.iter();
-    for slot in 0..RAYS as u32 {
-        let taken = take::<S, P, A, C>(
-            search,
-            rays,
-            &mut waiting,
-            &mut slots[slot as usize],
-            counters,
-            answers,
-        );
-        nodes.append(slot, taken);
+    for id in 0..RAYS as u8 {
+        let slot = &mut slots[usize::from(id)];
+        let taken = take::<S, P, A, C>(search, rays, &mut waiting, slot, counters, answers);
+        nodes.append(id, taken);
         if !taken {
             break;
         }
     }
     let zero = S::F8::splat(0.0);
     while nodes.length + leaves.length > 0 {
-        next_nodes.length = 0;
-        for &id in nodes.slots() {
-            let slot = &mut slots[id as usize % RAYS];
-            let node = &tree.nodes[slot.at.index()];
+        for place in 0..nodes.restart() {
+            let id = nodes.slot(place);
+            let slot = &mut slots[usize::from(id) % RAYS];
+            let node = &tree[slot.at.index()];
             if C::COUNTS {
                 counters.boxes(node.present().count() as u32);
             }
-            let [x, y, z] = slot.near_rows;
-            let (x, y, z) = (x as usize, y as usize, z as usize);
-            let inv = splat3::<S::F8, 8>(slot.slab.inv_dir.to_array());
-            let near = splat3::<S::F8, 8>(slot.slab.near.to_array());
-            let far = splat3::<S::F8, 8>(slot.slab.far.to_array());
+            let [x, y, z] = slot.near_planes;
+            let inv = splat3::<S::F8, 8>(slot.inv_dir);
+            let near = splat3::<S::F8, 8>(slot.near);
+            let far = splat3::<S::F8, 8>(slot.far);
             let begin = S::F8::slab(node.planes::<S>(x), inv[0], near[0])
                 .max(S::F8::slab(node.planes::<S>(y), inv[1], near[1]))
                 .max(
                     S::F8::slab(node.planes::<S>(z), inv[2], near[2]).max(S::F8::splat(slot.t_min)),
                 );
-            let end = S::F8::slab(node.planes::<S>(x ^ 1), inv[0], far[0])
-                .min(S::F8::slab(node.planes::<S>(y ^ 1), inv[1], far[1]))
+            let end = S::F8::slab(node.planes::<S>(x ^ FAR), inv[0], far[0])
+                .min(S::F8::slab(node.planes::<S>(y ^ FAR), inv[1], far[1]))
                 .min(
-                    S::F8::slab(node.planes::<S>(z ^ 1), inv[2], far[2])
+                    S::F8::slab(node.planes::<S>(z ^ FAR), inv[2], far[2])
                         .min(S::F8::splat(slot.end)),
                 );
-            let bottom = id as usize % RAYS * stride;
-            let top = bottom + slot.height as usize;
+            let top = slot.height as usize;
             if A::ANY {
                 let mask = begin.le(end).bits();
-                S::compress(mask, node.children(), row_mut(entries, top));
+                S::compress(mask, node.children(), row_mut(&mut slot.entries, top));
                 slot.height += mask.count_ones();
             } else {
                 slot.height += S::enter(
@@ -233,84 +216,64 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
                     node.children(),
                     node.orders(),
                     slot.order_shift,
-                    row_mut(entries, top),
-                    row_mut(distances, top),
+                    row_mut(&mut slot.entries, top),
+                    row_mut(&mut slot.distances, top),
                 );
             }
-            pop(slot, &entries[bottom..], id, true, &mut next_nodes, &mut leaves, &mut done);
+            pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
         }
-        std::mem::swap(&mut nodes, &mut next_nodes);
 
-        next_leaves.length = 0;
-        with_candidate.length = 0;
-        for &id in leaves.slots() {
-            let slot = &mut slots[id as usize % RAYS];
+        improved.restart();
+        for place in 0..leaves.restart() {
+            let id = leaves.slot(place);
+            let slot = &mut slots[usize::from(id) % RAYS];
             let block = slot.at.block();
             if C::COUNTS {
                 counters.primitives(slot.at.count());
             }
-            let hit = search.packs.of_pack::<S>(
-                block,
-                splat3::<S::F8, 8>(slot.origin),
-                splat3::<S::F8, 8>(slot.dir),
-            );
+            let origin = splat3::<S::F8, 8>(slot.origin);
+            let hit = packs.of_pack::<S>(block, origin, splat3::<S::F8, 8>(slot.dir));
             let t = hit.t / hit.det;
             let inside = zero.le(hit.u) & zero.le(hit.v) & (hit.u + hit.v).le(hit.det);
             let in_reach = S::F8::splat(slot.t_min).le(t) & t.le(S::F8::splat(slot.end));
             let lanes = (inside & in_reach).bits();
-            let bottom = id as usize % RAYS * stride;
             if A::ANY {
                 // A candidate nearly always ends the search: one surprise a ray at most.
-                if lanes != 0 {
-                    let mut ts = [0.0; PACK];
-                    t.store(&mut ts);
-                    if (0..PACK).any(|lane| {
-                        lanes >> lane & 1 != 0
-                            && slot.box_ray.accepts(&search.packs.bounds(block, lane), ts[lane])
-                    }) {
-                        slot.prim = 0;
-                        slot.height = 1;
-                    }
+                if lanes != 0 && any_accepted::<S, P::Packs>(slot, packs, block, t, lanes) {
+                    slot.prim = 0;
+                    slot.height = 1;
                 }
-                pop(slot, &entries[bottom..], id, true, &mut nodes, &mut next_leaves, &mut done);
+                pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
                 continue;
             }
-            let offered = &mut candidates[with_candidate.length % RAYS];
+            let offered = &mut candidates[improved.length % RAYS];
             t.store(&mut offered.t);
             hit.u.store(&mut offered.u);
             hit.v.store(&mut offered.v);
             hit.det.store(&mut offered.det);
             offered.lanes = lanes;
-            // Kept from becoming a branch: whether a leaf has a candidate cannot be foreseen.
-            let any = std::hint::black_box(lanes) != 0;
-            with_candidate.append(id, any);
-            pop(slot, &entries[bottom..], id, !any, &mut nodes, &mut next_leaves, &mut done);
+            offered.block = block as u32;
+            // No branch: whether a leaf has a candidate cannot be foreseen.
+            improved.append(id, lanes != 0);
+            pop(slot, id, lanes == 0, &mut nodes, &mut leaves, &mut done);
         }
 
-        for (index, &id) in with_candidate.slots().iter().enumerate() {
-            let slot = &mut slots[id as usize % RAYS];
-            let bottom = id as usize % RAYS * stride;
-            if improve::<S, P::Packs>(slot, search.packs, &candidates[index % RAYS]) {
-                let height = slot.height as usize;
-                let kept = drop_behind::<S>(
-                    &mut entries[bottom..bottom + stride],
-                    &mut distances[bottom..bottom + stride],
-                    height,
-                    slot.end,
-                );
-                slot.height = kept as u32;
+        for place in 0..improved.length {
+            let id = improved.slot(place);
+            let slot = &mut slots[usize::from(id) % RAYS];
+            if improve::<S, P::Packs>(slot, packs, &candidates[place % RAYS]) {
+                drop_behind::<S>(slot);
             }
-            pop(slot, &entries[bottom..], id, true, &mut nodes, &mut next_leaves, &mut done);
+            pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
         }
-        std::mem::swap(&mut leaves, &mut next_leaves);
 
-        for &id in done.slots() {
-            let slot = &mut slots[id as usize % RAYS];
+        for place in 0..done.restart() {
+            let id = done.slot(place);
+            let slot = &mut slots[usize::from(id) % RAYS];
             answers[slot.ray as usize] = A::of(slot.hit());
             let taken = take::<S, P, A, C>(search, rays, &mut waiting, slot, counters, answers);
             nodes.append(id, taken);
         }
-        done.length = 0;
     }
 }
 
@@ -341,15 +304,17 @@ fn take<S: Simd, P: Primitives, A: Answer, C: Counters>(
             continue;
         };
         // Field by field: a whole slot would be put together elsewhere and copied.
-        slot.near_rows = near_rows(slab.octant);
-        slot.order_shift = order_shift(slab.octant);
-        slot.slab = slab;
-        slot.origin = ray.origin.to_array();
+        slot.inv_dir = slab.inv_dir.to_array();
         slot.t_min = ray.t_min;
-        slot.dir = ray.dir.to_array();
+        slot.near = slab.near.to_array();
         slot.end = ray.t_max;
-        slot.at = Child::node(0);
+        slot.far = slab.far.to_array();
         slot.height = 1;
+        slot.near_planes = near_planes(slab.octant);
+        slot.order_shift = order_shift(slab.octant);
+        slot.origin = ray.origin.to_array();
+        slot.at = Child::node(0);
+        slot.dir = ray.dir.to_array();
         slot.prim = NONE;
         slot.u = 0.0;
         slot.v = 0.0;
@@ -360,32 +325,40 @@ fn take<S: Simd, P: Primitives, A: Answer, C: Counters>(
     false
 }
 
-/// Takes the top of a ray's stack, and appends the ray to the list where it belongs next; does
-/// nothing if it is not `free` to go.
+/// Appends a ray to the list where the top of its stack belongs, and takes that from the stack;
+/// leaves the stack and the lists as they are if the ray is not `free` to go.
 #[inline(always)]
-fn pop(
-    slot: &mut Slot,
-    stack: &[u32],
-    id: u32,
-    free: bool,
-    nodes: &mut List<'_>,
-    leaves: &mut List<'_>,
-    done: &mut List<'_>,
-) {
-    let top = slot.height - 1;
-    let next = Child(stack[top as usize]);
-    slot.height = if free { top } else { slot.height };
-    slot.at = if free { next } else { slot.at };
+fn pop(slot: &mut Slot, id: u8, free: bool, nodes: &mut List, leaves: &mut List, done: &mut List) {
+    let next = Child(slot.entries[(slot.height - 1) as usize % HEIGHT]);
+    slot.height -= u32::from(free);
+    slot.at = next;
     let (leaf, end) = (next.is_leaf(), next == Child::ABSENT);
     nodes.append(id, free & !leaf);
     leaves.append(id, free & leaf & !end);
     done.append(id, free & end);
 }
 
+/// Whether the own box of any candidate accepts it.
+#[inline(always)]
+fn any_accepted<S: Simd, P: Packs>(
+    slot: &Slot,
+    packs: &P,
+    block: usize,
+    t: S::F8,
+    lanes: u32,
+) -> bool {
+    let mut ts = [0.0; PACK];
+    t.store(&mut ts);
+    (0..PACK).any(|lane| {
+        lanes >> lane & 1 != 0 && slot.box_ray.accepts(&packs.bounds(block, lane), ts[lane])
+    })
+}
+
 /// Replaces a ray's best hit by the first candidate that its own box accepts, if that comes before.
+/// Returns whether there is one.
 #[inline(always)]
 fn improve<S: Simd, P: Packs>(slot: &mut Slot, packs: &P, offered: &Candidates) -> bool {
-    let block = slot.at.block();
+    let block = offered.block as usize;
     let t = S::F8::load(&offered.t);
     let mut lanes = offered.lanes;
     while lanes != 0 {
@@ -407,30 +380,26 @@ fn improve<S: Simd, P: Packs>(slot: &mut Slot, packs: &P, offered: &Candidates) 
     false
 }
 
-/// Takes from a stack what begins behind the end of the search. Returns its height.
+/// Takes from a ray's stack what begins behind the end of the search.
 #[inline(always)]
-fn drop_behind<S: Simd>(
-    entries: &mut [u32],
-    distances: &mut [f32],
-    height: usize,
-    end: f32,
-) -> usize {
-    let end = S::F8::splat(end);
+fn drop_behind<S: Simd>(slot: &mut Slot) {
+    let (end, height) = (S::F8::splat(slot.end), slot.height as usize);
     let (mut kept, mut base) = (0, 0);
     while base < height {
-        let begins = S::F8::load(row_mut(distances, base));
+        let begins = S::F8::load(row_mut(&mut slot.distances, base));
         let live = (1u32 << (height - base).min(PACK)) - 1;
         let mask = begins.le(end).bits() & live;
-        let row = *row_mut(entries, base);
-        S::compress(mask, &row, row_mut(entries, kept));
-        S::compress_floats(mask, begins, row_mut(distances, kept));
+        let row = *row_mut(&mut slot.entries, base);
+        S::compress(mask, &row, row_mut(&mut slot.entries, kept));
+        S::compress_floats(mask, begins, row_mut(&mut slot.distances, kept));
         kept += mask.count_ones() as usize;
         base += PACK;
     }
-    kept
+    slot.height = kept as u32;
 }
 
+/// Eight places of a stack.
 #[inline(always)]
-fn row_mut<T>(values: &mut [T], at: usize) -> &mut [T; PACK] {
-    values[at..].first_chunk_mut().expect("stacks end with room for a row")
+fn row_mut<T>(stack: &mut [T; ROOM], at: usize) -> &mut [T; PACK] {
+    stack[at % HEIGHT..].first_chunk_mut().expect("a row has room behind every place")
 }
