@@ -9,6 +9,7 @@ mod answer;
 mod collapse;
 mod node;
 mod packet;
+mod plan;
 mod slab_ray;
 mod wave;
 
@@ -26,6 +27,7 @@ use crate::simd::{Kernel, Simd, dispatch};
 use self::answer::Answer;
 use self::collapse::{Leaves, collapse};
 use self::node::{Child, Node, WIDTH, near_rows, order_shift};
+use self::plan::Plan;
 use self::slab_ray::Sides;
 use super::{
     Accel, Bounded, BuildConfig, Built, PACK, Primitives, StructureShape, Tree, blocked_of_each,
@@ -61,7 +63,8 @@ impl Accel for Bvh8 {
         parameters.max_prims_per_leaf = 1;
         let boxes = obvhs_boxes(primitives);
         let tree = build_bvh2(&boxes, parameters, &mut std::time::Duration::default());
-        let wide = collapse(&tree, leaves);
+        let plan = Plan::new(&tree, leaves);
+        let wide = collapse(&tree, &plan, leaves);
         let need = stack_need(&wide.nodes);
         let accel = Self { nodes: wide.nodes, block: leaves.block, need };
         Built { accel, order: Some(wide.order) }
