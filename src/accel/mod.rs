@@ -10,7 +10,7 @@
 //! | `ball.rs` | one bounding ball around all |
 //! | `bvh.rs` | obvhs's binary tree |
 //! | `cwbvh.rs` | obvhs's compressed eight-wide tree |
-//! | `bvh8/` | obvhs's tree collapsed to eight children, many rays at once |
+//! | `bvh8/` | a binary tree collapsed to eight children, many rays at once |
 
 mod ball;
 mod bvh;

@@ -1,8 +1,10 @@
 //! The binary tree that is collapsed: a primitive in each leaf.
 //!
-//! Built by obvhs: PLOC (Meister, Bittner: *Parallel Locally-Ordered Clustering for Bounding Volume
-//! Hierarchy Construction*, 2018), improved by reinsertion (Meister, Bittner: *Parallel Reinsertion
-//! for Bounding Volume Hierarchy Optimization*, 2018).
+//! Quick builds cluster from the bottom: PLOC (Meister, Bittner: *Parallel Locally-Ordered
+//! Clustering for Bounding Volume Hierarchy Construction*, 2018) by obvhs. All others part from the
+//! top (`binned.rs`): that takes a little longer, and a ray then costs less than in the trees of
+//! obvhs's slowest build. Slow builds try to improve it by obvhs's reinsertion (Meister, Bittner:
+//! *Parallel Reinsertion for Bounding Volume Hierarchy Optimization*, 2018).
 
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -11,24 +13,35 @@ use obvhs::ploc::PlocBuilder;
 
 use crate::accel::{BuildStages, Quality};
 
+use super::binned;
+use super::collapse::Leaves;
+
 /// Builds a tree over at least one box.
-pub(super) fn binary_tree(boxes: &[Aabb], quality: Quality, stages: &mut BuildStages) -> Bvh2 {
+pub(super) fn binary_tree(
+    boxes: &[Aabb],
+    leaves: Leaves,
+    quality: Quality,
+    stages: &mut BuildStages,
+) -> Bvh2 {
     let parameters = quality.parameters();
-    let mut tree = stages.time("clustering", || {
-        PlocBuilder::with_capacity(boxes.len()).build(
+    let mut tree = stages.time("tree", || match quality {
+        Quality::Fastest | Quality::Fast => PlocBuilder::with_capacity(boxes.len()).build(
             parameters.ploc_search_distance,
             boxes,
             (0..boxes.len() as u32).collect(),
             parameters.sort_precision,
             parameters.search_depth_threshold,
-        )
+        ),
+        Quality::Medium | Quality::Slow | Quality::Slowest => {
+            binned::build(boxes, leaves.block as u32)
+        }
     });
-    let first = parameters.reinsertion_batch_ratio;
-    let second = first * parameters.post_collapse_reinsertion_batch_ratio_multiplier;
-    stages.time("reinsertion", || {
-        let mut optimizer = ReinsertionOptimizer::default();
-        optimizer.run(&mut tree, first, None);
-        optimizer.run(&mut tree, second, None);
-    });
+    // The medium tree is as good without.
+    if quality != Quality::Medium && parameters.reinsertion_batch_ratio > 0.0 {
+        stages.time("reinsertion", || {
+            let ratio = parameters.reinsertion_batch_ratio;
+            ReinsertionOptimizer::default().run(&mut tree, ratio, None);
+        });
+    }
     tree
 }

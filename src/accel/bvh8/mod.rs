@@ -1,12 +1,13 @@
 //! A tree of eight children a node, with kernels that trace many rays at once.
 //!
-//! The tree is obvhs's binary one with a primitive in each leaf, collapsed at the least cost
-//! (`collapse.rs`). Slices of rays go down it in packets where they are coherent (`packet.rs`) and
+//! A binary tree with a primitive in each leaf (`binary.rs`) is collapsed at the least cost
+//! (`plan.rs`, `collapse.rs`). Slices of rays go down it in packets where they are coherent (`packet.rs`) and
 //! in waves where they are not (`wave.rs`); a single ray is walked by [`Accel::traverse`], which is
 //! also the way of the rays that the kernels' terms cannot take.
 
 mod answer;
 mod binary;
+mod binned;
 mod collapse;
 mod node;
 mod packet;
@@ -69,7 +70,7 @@ impl Accel for Bvh8 {
             return Built { accel, order: None };
         }
         let boxes = stages.time("boxes", || obvhs_boxes(primitives));
-        let tree = binary_tree(&boxes, config.quality, stages);
+        let tree = binary_tree(&boxes, leaves, config.quality, stages);
         let plan = stages.time("plan", || Plan::new(&tree, leaves));
         let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
         let need = stack_need(&wide.nodes);
