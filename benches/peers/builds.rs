@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use srt::accel::BuildConfig;
+use srt::accel::{BuildConfig, BuildStages};
 use srt::record::statistics::median;
 use srt::scene::{Scene, Structure, TracedWorld};
 
@@ -35,24 +35,40 @@ pub(crate) fn measure(
 ) -> Result<(), String> {
     let pools = [pool(1)?, pool(0)?];
     let mut times = vec![[vec![], vec![]]; structures.len()];
+    let mut stages = vec![[vec![], vec![]]; structures.len()];
     for round in 0..rounds {
         for place in 0..structures.len() {
             let index = (place + round) % structures.len();
-            for (pool, times) in pools.iter().zip(&mut times[index]) {
+            for (threads, pool) in pools.iter().enumerate() {
                 let start = Instant::now();
-                pool.install(|| drop(structures[index].build(scene, &BuildConfig::default())));
-                times.push(start.elapsed().as_secs_f64());
+                let world =
+                    pool.install(|| structures[index].build(scene, &BuildConfig::default()));
+                times[index][threads].push(start.elapsed().as_secs_f64());
+                stages[index][threads].push(world.build_report().stages);
             }
         }
     }
     println!("| build | 1 thread, s | {} threads, s |", pools[1].current_num_threads());
     println!("|---|--:|--:|");
-    for (structure, [one, all]) in structures.iter().zip(&times) {
+    for ((structure, [one, all]), stages) in structures.iter().zip(&times).zip(&stages) {
         let [one, all] = [one, all].map(|times| median(times).unwrap_or(f64::NAN));
         println!("| {} | {one:.3} | {all:.3} |", structure.name);
+        let names = stages[0].first().into_iter().flat_map(BuildStages::iter);
+        for (name, _) in names {
+            let [one, all] = [0, 1].map(|threads| median_of(name, &stages[threads]));
+            println!("| {}: {name} | {one:.3} | {all:.3} |", structure.name);
+        }
     }
     println!();
     Ok(())
+}
+
+/// The median of a stage's seconds.
+fn median_of(stage: &str, rounds: &[BuildStages]) -> f64 {
+    let seconds = |stages: &BuildStages| {
+        stages.iter().filter(|(name, _)| *name == stage).map(|(_, time)| time.as_secs_f64()).sum()
+    };
+    median(&rounds.iter().map(seconds).collect::<Vec<f64>>()).unwrap_or(f64::NAN)
 }
 
 fn pool(threads: usize) -> Result<ThreadPool, String> {

@@ -2,7 +2,8 @@
 
 use obvhs::BvhBuildParams;
 
-/// How much time a build may take for a better tree: obvhs's presets.
+/// How much time a build may take for a better tree: obvhs's presets. `bvh8` takes clustering and
+/// reinsertion from these, and has a builder of its own from [`Quality::Medium`] on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quality {
     /// obvhs's `fastest_build`.

@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 use crate::counters::{Counters, Counts, NoCounters};
 use crate::math::{Hit, Ray};
 
-use super::{Accel, BuildConfig, Primitives, StructureShape, Tracer, Tree, blocked, closest};
+use super::{
+    Accel, BuildConfig, BuildStages, Primitives, StructureShape, Tracer, Tree, blocked, closest,
+};
 
 /// Primitives, in the order of their structure.
 #[derive(Clone, Debug)]
@@ -13,6 +15,7 @@ pub struct Indexed<P, A> {
     primitives: P,
     accel: A,
     build_time: Duration,
+    stages: BuildStages,
 }
 
 impl<P: Primitives, A: Accel> Indexed<P, A> {
@@ -20,11 +23,12 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     #[must_use]
     pub fn build(mut primitives: P, config: &BuildConfig) -> Self {
         let start = Instant::now();
-        let built = A::build(&primitives, config);
+        let mut stages = BuildStages::default();
+        let built = A::build_in_stages(&primitives, config, &mut stages);
         if let Some(order) = &built.order {
-            primitives.reorder(order);
+            stages.time("order", || primitives.reorder(order));
         }
-        Self { primitives, accel: built.accel, build_time: start.elapsed() }
+        Self { primitives, accel: built.accel, build_time: start.elapsed(), stages }
     }
 
     /// What is searched.
@@ -37,6 +41,12 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     #[must_use]
     pub fn build_time(&self) -> Duration {
         self.build_time
+    }
+
+    /// What the build spent its time on.
+    #[must_use]
+    pub fn build_stages(&self) -> &BuildStages {
+        &self.stages
     }
 
     /// What the structure looks like.

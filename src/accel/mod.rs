@@ -10,7 +10,7 @@
 //! | `ball.rs` | one bounding ball around all |
 //! | `bvh.rs` | obvhs's binary tree |
 //! | `cwbvh.rs` | obvhs's compressed eight-wide tree |
-//! | `bvh8/` | obvhs's tree collapsed to eight children, many rays at once |
+//! | `bvh8/` | a binary tree collapsed to eight children, many rays at once |
 
 mod ball;
 mod bvh;
@@ -21,6 +21,7 @@ mod indexed;
 mod none;
 mod packs;
 mod shape;
+mod stages;
 mod tree;
 
 use std::ops::{ControlFlow, Range};
@@ -40,6 +41,7 @@ pub use indexed::Indexed;
 pub use none::Exhaustive;
 pub use packs::{NoPacks, PACK, Packs, ScaledHit};
 pub use shape::{LeafHistogram, StructureShape};
+pub use stages::BuildStages;
 pub use tree::{Tree, TreeNode};
 
 /// A set of things with boxes: all that a structure is built from.
@@ -77,6 +79,16 @@ pub trait Bounded: Sync {
 pub trait Accel: Sized + Send + Sync {
     /// Builds the index. `primitives` may be empty.
     fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self>;
+
+    /// [`Accel::build`], with the time of each of its stages noted. A structure that tells none
+    /// apart is built in one.
+    fn build_in_stages(
+        primitives: &impl Bounded,
+        config: &BuildConfig,
+        stages: &mut BuildStages,
+    ) -> Built<Self> {
+        stages.time("structure", || Self::build(primitives, config))
+    }
 
     /// Offers ranges of slots that the ray may hit, near ones first where it can.
     ///

@@ -51,6 +51,8 @@ struct Structure<'a> {
     name: &'a str,
     build: &'a str,
     build_seconds: f64,
+    /// What these were spent on, stage by stage; empty where the structure does not tell.
+    build_stages: Vec<BuildStage>,
     /// The index over the objects.
     objects: Shape,
     /// The indices over the meshes' triangles, each mesh once.
@@ -60,6 +62,12 @@ struct Structure<'a> {
     triangle_bytes: u64,
     /// With the index over them.
     bytes_per_triangle: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct BuildStage {
+    stage: &'static str,
+    seconds: f64,
 }
 
 #[derive(Serialize)]
@@ -134,6 +142,12 @@ impl<'a> From<&'a Report> for Structure<'a> {
             name: report.structure,
             build: report.quality.name(),
             build_seconds: report.build.time.as_secs_f64(),
+            build_stages: report
+                .build
+                .stages
+                .iter()
+                .map(|(stage, time)| BuildStage { stage, seconds: time.as_secs_f64() })
+                .collect(),
             objects: Shape::from(&report.build.objects),
             meshes: Shape::from(&report.build.meshes),
             triangles: report.build.triangles,

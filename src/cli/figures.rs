@@ -113,7 +113,7 @@ fn classes(stats: &RenderStats, counted: bool) -> Vec<RayClass> {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::accel::StructureShape;
+    use crate::accel::{BuildStages, StructureShape};
 
     /// Figures to show.
     pub(crate) fn example() -> Report {
@@ -143,6 +143,9 @@ pub(crate) mod tests {
             bytes: 96,
             sah_cost: None,
         };
+        let mut stages = BuildStages::default();
+        stages.add("triangles", Duration::from_micros(5_600));
+        stages.add("structure", Duration::from_millis(40));
         let mut thread_times = StageTimes::default();
         for (stage, milliseconds) in [
             (Stage::Tracing(render::RayClass::View), 250),
@@ -161,6 +164,7 @@ pub(crate) mod tests {
             threads: 2,
             build: BuildReport {
                 time: Duration::from_micros(45_600),
+                stages,
                 objects,
                 meshes,
                 triangles: 70_000,

@@ -82,11 +82,19 @@ fn stages(report: &Report) -> impl Iterator<Item = [String; 3]> {
 fn facts(report: &Report) -> [(&'static str, String); 5] {
     [
         ("structure", format!("{}, {} build", report.structure, report.quality.name())),
-        ("built in", units::time(report.build.time)),
+        ("built in", format!("{}{}", units::time(report.build.time), build_stages(report))),
         ("rendered in", units::time(report.render_time)),
         ("threads", report.threads.to_string()),
         ("memory", memory(report)),
     ]
+}
+
+/// ` (boxes 1.20 ms, clustering 30.1 ms)`, or nothing where the structure does not tell.
+fn build_stages(report: &Report) -> String {
+    let stages = report.build.stages.iter();
+    let stages: Vec<_> =
+        stages.map(|(stage, time)| format!("{stage} {}", units::time(time))).collect();
+    if stages.is_empty() { String::new() } else { format!(" ({})", stages.join(", ")) }
 }
 
 /// `4.27 MiB index, 3.20 MiB for 70.0 k triangles: 112.0 B a triangle`.
@@ -183,7 +191,7 @@ mod tests {
     fn the_table() {
         let expected = "\
 structure   bvh, medium build
-built in    45.6 ms
+built in    45.6 ms (triangles 5.60 ms, structure 40.0 ms)
 rendered in 1.25 s
 threads     2
 memory      4.27 MiB index, 3.20 MiB for 70.0 k triangles: 112.0 B a triangle

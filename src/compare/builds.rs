@@ -20,6 +20,7 @@ pub(super) fn build_all(entrants: &mut [Entrant<'_>], stage: &Stage<'_>) {
         if let Some(report) = entrant.report() {
             let known = !entrant.structure.yardstick;
             entrant.record.shape = known.then(|| quality::shape(&report, stage.scene));
+            entrant.record.build.stages = quality::build_stages(&report);
             entrant.record.memory = Some(quality::memory(&report, peak));
         }
     }

@@ -1,10 +1,21 @@
 //! What a structure is, as the report states it: form, quality and memory.
 
-use crate::record::{Memory, Shape};
+use std::time::Duration;
+
+use crate::record::{BuildStage, Memory, Shape};
 use crate::scene::{BuildReport, Scene, TracedWorld};
 
 use super::Stage;
 use super::entrant::Entrant;
+
+/// What the build spent its time on.
+pub(super) fn build_stages(report: &BuildReport) -> Vec<BuildStage> {
+    let stage = |(name, time): (&str, Duration)| BuildStage {
+        name: name.to_owned(),
+        ns: u64::try_from(time.as_nanos()).unwrap_or(u64::MAX),
+    };
+    report.stages.iter().map(stage).collect()
+}
 
 /// The form of the structures over the meshes; in a scene without meshes, of that over the objects.
 pub(super) fn shape(report: &BuildReport, scene: &Scene) -> Shape {

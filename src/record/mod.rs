@@ -29,5 +29,7 @@ pub use proof::{Proof, StructureProof, YardstickProof};
 pub use run::{Options, RoundRule, Run};
 pub use sampling::{ConvergedPicture, FramePart, NoisePoint, OperationCost, SamplingChapter};
 pub use scene::{HeatScale, PictureFile, SceneRecord, Spacing};
-pub use structure::{BuildRecord, Memory, PictureRound, Shape, Status, StructureRecord};
+pub use structure::{
+    BuildRecord, BuildStage, Memory, PictureRound, Shape, Status, StructureRecord,
+};
 pub use sweep::{Dropped, Sweep, SweepPoint};

@@ -66,6 +66,19 @@ pub struct BuildRecord {
     pub one_thread_ns: Vec<u64>,
     /// On all threads.
     pub all_threads_ns: Vec<u64>,
+    /// The stages of one build on all threads, that of the structure that was traced; none where it
+    /// does not tell them, and in older records.
+    #[serde(default)]
+    pub stages: Vec<BuildStage>,
+}
+
+/// A stage of a build.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct BuildStage {
+    /// Its name.
+    pub name: String,
+    /// Its wall time in nanoseconds, of all meshes together.
+    pub ns: u64,
 }
 
 /// Memory in bytes.

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use glam::Vec3;
 
-use crate::accel::{StructureShape, Tracer};
+use crate::accel::{BuildStages, StructureShape, Tracer};
 use crate::counters::Counts;
 use crate::embree::{Builder, EmbreeError, TriangleScene};
 use crate::math::{Hit, Ray};
@@ -85,6 +85,7 @@ impl<const PACKETS: bool> TracedWorld for EmbreeWorld<PACKETS> {
         let bytes = self.triangles.index_bytes();
         BuildReport {
             time: self.build_time,
+            stages: BuildStages::default(),
             objects: StructureShape::default(),
             meshes: StructureShape { bytes, ..StructureShape::default() },
             triangles: self.count,

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use crate::accel::{Accel, BuildConfig, Indexed, StructureShape, Tracer};
+use crate::accel::{Accel, BuildConfig, BuildStages, Indexed, StructureShape, Tracer};
 use crate::counters::Counts;
 use crate::math::{Hit, Ray};
 use crate::shapes::{EndPointOverlap, OVERLAP_SAMPLES, TriangleSet, end_point_overlap};
@@ -16,6 +16,7 @@ pub struct World<O, T> {
     objects: Indexed<ObjectList<T>, O>,
     meshes: Vec<Arc<Indexed<TriangleSet, T>>>,
     build_time: Duration,
+    stages: BuildStages,
 }
 
 /// What building a world took and gave.
@@ -23,6 +24,9 @@ pub struct World<O, T> {
 pub struct BuildReport {
     /// Wall time from the compiled scene to the first ray, packing of triangles included.
     pub time: Duration,
+    /// What it was spent on, of all meshes together; the index over the objects is one stage. Empty
+    /// where the structure does not tell.
+    pub stages: BuildStages,
     /// The structure over the objects.
     pub objects: StructureShape,
     /// The structures over the meshes' triangles, added up, each mesh once.
@@ -48,18 +52,23 @@ impl<O: Accel, T: Accel> World<O, T> {
     #[must_use]
     pub fn build(scene: &Scene, config: &BuildConfig) -> Self {
         let start = Instant::now();
+        let mut stages = BuildStages::default();
         let meshes: Vec<_> = scene
             .meshes()
             .iter()
             .map(|mesh| {
-                let triangles = TriangleSet::new(&mesh.positions, &mesh.triangles);
-                Arc::new(Indexed::build(triangles, config))
+                let triangles =
+                    stages.time("triangles", || TriangleSet::new(&mesh.positions, &mesh.triangles));
+                let indexed = Indexed::build(triangles, config);
+                stages.merge(indexed.build_stages());
+                Arc::new(indexed)
             })
             .collect();
         // One object a leaf: an object can be a whole mesh, and a box is cheaper than its ball.
         let config = BuildConfig { max_leaf: 1, ..*config };
-        let objects = Indexed::build(ObjectList::new(scene, &meshes), &config);
-        Self { objects, meshes, build_time: start.elapsed() }
+        let objects =
+            stages.time("objects", || Indexed::build(ObjectList::new(scene, &meshes), &config));
+        Self { objects, meshes, build_time: start.elapsed(), stages }
     }
 }
 
@@ -84,6 +93,7 @@ impl<O: Accel, T: Accel> TracedWorld for World<O, T> {
         }
         BuildReport {
             time: self.build_time,
+            stages: self.stages.clone(),
             objects: self.objects.shape(),
             meshes,
             triangles,

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use glam::{DVec3, Vec3, Vec3A, Vec4};
+use rayon::prelude::*;
 
 use crate::accel::{Bounded, Packs, Primitives, ScaledHit};
 use crate::counters::Counters;
@@ -65,16 +66,17 @@ impl TriangleSet {
     #[must_use]
     pub fn new(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
         let count = u32::try_from(triangles.len()).expect("fewer than 2^32 triangles");
+        let triangle = |slot: usize| {
+            let corners = triangles.get(slot)?.map(|corner| positions[corner as usize]);
+            Some((Triangle::new(corners), slot as u32))
+        };
+        let packs = pack(triangles.len(), triangle);
         let mut set = Self {
-            packs: vec![Pack::EMPTY; triangles.len().div_ceil(2 * LANES) * 2],
+            packs,
             count,
             mean_vertex: mean_vertex(positions, triangles),
             padding: Padding { largest: 0.0, factor: 1.0 },
         };
-        for (i, corners) in triangles.iter().enumerate() {
-            let triangle = Triangle::new(corners.map(|c| positions[c as usize]));
-            set.packs[i / LANES].set(i % LANES, &triangle, i as u32);
-        }
         set.padding = Padding::of_bounds(&set.total_bounds());
         set
     }
@@ -140,6 +142,11 @@ impl Bounded for TriangleSet {
     fn lanes(&self) -> u32 {
         LANES as u32
     }
+
+    fn total_bounds(&self) -> Aabb {
+        let bounds = (0..self.count).into_par_iter().map(|i| Bounded::bounds(self, i));
+        bounds.reduce(|| Aabb::EMPTY, Aabb::union)
+    }
 }
 
 impl Primitives for TriangleSet {
@@ -154,12 +161,8 @@ impl Primitives for TriangleSet {
     }
 
     fn reorder(&mut self, order: &[u32]) {
-        let mut packs = vec![Pack::EMPTY; order.len().div_ceil(2 * LANES) * 2];
-        for (slot, &from) in order.iter().enumerate().filter(|&(_, &from)| from != NONE) {
-            let (triangle, prim) = self.slot(from);
-            packs[slot / LANES].set(slot % LANES, &triangle, prim);
-        }
-        self.packs = packs;
+        let from = |slot: usize| order.get(slot).filter(|&&from| from != NONE);
+        self.packs = pack(order.len(), |slot| from(slot).map(|&from| self.slot(from)));
     }
 
     #[inline]
@@ -323,6 +326,20 @@ impl Pack {
         ones(candidates.lanes)
             .any(|lane| box_ray.accepts(&self.triangle(lane).bounds(), candidates.t[lane]))
     }
+}
+
+/// Packs with the triangles of so many slots and their ids, in packs of eight that are whole.
+fn pack(slots: usize, triangle: impl Fn(usize) -> Option<(Triangle, u32)> + Sync) -> Vec<Pack> {
+    let filled = |index: usize| {
+        let mut pack = Pack::EMPTY;
+        for lane in 0..LANES {
+            if let Some((triangle, prim)) = triangle(index * LANES + lane) {
+                pack.set(lane, &triangle, prim);
+            }
+        }
+        pack
+    };
+    (0..slots.div_ceil(2 * LANES) * 2).into_par_iter().map(filled).collect()
 }
 
 /// The mean of the vertices that the triangles use, each counted once: a file may hold others, and

@@ -52,6 +52,9 @@ fn the_structure_adds_up() {
             if level == "objects" { 3 } else { structure["triangles"].as_u64().unwrap() };
         assert_eq!(primitives, expected, "{level}");
     }
+    let stages = structure["build_stages"].as_array().unwrap();
+    let seconds: f64 = stages.iter().map(|stage| stage["seconds"].as_f64().unwrap()).sum();
+    assert!(0.0 < seconds && seconds <= structure["build_seconds"].as_f64().unwrap());
     let bytes = structure["meshes"]["bytes"].as_f64().unwrap()
         + structure["triangle_bytes"].as_f64().unwrap();
     assert_eq!(structure["bytes_per_triangle"], bytes / structure["triangles"].as_f64().unwrap());

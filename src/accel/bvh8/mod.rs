@@ -1,14 +1,17 @@
 //! A tree of eight children a node, with kernels that trace many rays at once.
 //!
-//! The tree is obvhs's binary one with a primitive in each leaf, collapsed at the least cost
-//! (`collapse.rs`). Slices of rays go down it in packets where they are coherent (`packet.rs`) and
+//! A binary tree with a primitive in each leaf (`binary.rs`) is collapsed at the least cost
+//! (`plan.rs`, `collapse.rs`). Slices of rays go down it in packets where they are coherent (`packet.rs`) and
 //! in waves where they are not (`wave.rs`); a single ray is walked by [`Accel::traverse`], which is
 //! also the way of the rays that the kernels' terms cannot take.
 
 mod answer;
+mod binary;
+mod binned;
 mod collapse;
 mod node;
 mod packet;
+mod plan;
 mod slab_ray;
 mod wave;
 
@@ -16,7 +19,6 @@ use std::cell::Cell;
 use std::ops::{ControlFlow, Range};
 
 use glam::Vec4;
-use obvhs::bvh2::builder::build_bvh2;
 use smallvec::SmallVec;
 
 use crate::counters::Counters;
@@ -24,12 +26,14 @@ use crate::math::{Aabb, BoxRay, Hit, Padding, Ray};
 use crate::simd::{Kernel, Simd, dispatch};
 
 use self::answer::Answer;
+use self::binary::binary_tree;
 use self::collapse::{Leaves, collapse};
 use self::node::{Child, FAR, Node, WIDTH, near_planes, order_shift};
+use self::plan::Plan;
 use self::slab_ray::Sides;
 use super::{
-    Accel, Bounded, BuildConfig, Built, PACK, Primitives, StructureShape, Tree, blocked_of_each,
-    closest_of_each, obvhs_boxes,
+    Accel, Bounded, BuildConfig, BuildStages, Built, PACK, Primitives, StructureShape, Tree,
+    blocked_of_each, closest_of_each, obvhs_boxes,
 };
 
 /// The stack lives with the call up to this height, and on the heap beyond.
@@ -48,6 +52,14 @@ pub struct Bvh8 {
 
 impl Accel for Bvh8 {
     fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self> {
+        Self::build_in_stages(primitives, config, &mut BuildStages::default())
+    }
+
+    fn build_in_stages(
+        primitives: &impl Bounded,
+        config: &BuildConfig,
+        stages: &mut BuildStages,
+    ) -> Built<Self> {
         let packed = primitives.lanes() > 1;
         let leaves = Leaves {
             most: config.max_leaf.clamp(1, WIDTH as u32),
@@ -57,11 +69,10 @@ impl Accel for Bvh8 {
             let accel = Self { nodes: Vec::new(), block: leaves.block, need: 0 };
             return Built { accel, order: None };
         }
-        let mut parameters = config.quality.parameters();
-        parameters.max_prims_per_leaf = 1;
-        let boxes = obvhs_boxes(primitives);
-        let tree = build_bvh2(&boxes, parameters, &mut std::time::Duration::default());
-        let wide = collapse(&tree, leaves);
+        let boxes = stages.time("boxes", || obvhs_boxes(primitives));
+        let tree = binary_tree(&boxes, leaves, config.quality, stages);
+        let plan = stages.time("plan", || Plan::new(&tree, leaves));
+        let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
         let need = stack_need(&wide.nodes);
         let accel = Self { nodes: wide.nodes, block: leaves.block, need };
         Built { accel, order: Some(wide.order) }

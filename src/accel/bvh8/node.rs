@@ -11,7 +11,7 @@ pub(super) const WIDTH: usize = 8;
 /// Eight boxes and what they hold: four cache lines.
 ///
 /// Absent children have empty boxes (low planes at +∞, high ones at −∞), which no ray enters.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C, align(64))]
 pub(super) struct Node {
     /// Rows of eight words: low planes along x, high planes along x, then y and z, as bits of
@@ -154,6 +154,20 @@ impl Node {
         self.words[CHILDREN + lane] = child.0;
     }
 
+    /// The node with all that its children refer to so many nodes, and blocks of slots, later.
+    pub(super) fn moved(mut self, nodes: usize, blocks: usize) -> Self {
+        for word in &mut self.words[CHILDREN..ORDERS] {
+            let child = Child(*word);
+            if child != Child::ABSENT {
+                *word = match child.is_leaf() {
+                    true => Child::leaf(child.block() + blocks, child.count() as usize).0,
+                    false => Child::node(child.index() + nodes).0,
+                };
+            }
+        }
+        self
+    }
+
     /// The children that are there, with their lanes.
     pub(super) fn present(&self) -> impl Iterator<Item = (usize, Child)> {
         let children = self.children().iter().copied().map(Child).enumerate();
@@ -174,16 +188,20 @@ impl Node {
     /// Notes the order in which each octant's rays meet the children: by the children's centres
     /// along the octant's diagonal.
     pub(super) fn sort(&mut self) {
-        let centers: Vec<_> =
-            self.present().map(|(lane, _)| self.child_bounds(lane).center()).collect();
+        let mut centers = [Vec3A::ZERO; WIDTH];
+        let mut count = 0;
+        for (lane, _) in self.present() {
+            centers[lane] = self.child_bounds(lane).center();
+            count = lane + 1;
+        }
         self.words[ORDERS..].fill(0);
         for octant in 0..8 {
             let diagonal = Vec3A::from_array(std::array::from_fn(|axis| {
                 if octant >> axis & 1 == 0 { 1.0 } else { -1.0 }
             }));
-            let along = |lane: &usize| centers.get(*lane).map_or(f32::MIN, |c| c.dot(diagonal));
+            let along = centers.map(|center| center.dot(diagonal));
             let mut lanes: [usize; WIDTH] = std::array::from_fn(|lane| lane);
-            lanes.sort_by(|a, b| along(b).total_cmp(&along(a)));
+            lanes[..count].sort_by(|&a, &b| along[b].total_cmp(&along[a]));
             for (word, lane) in self.words[ORDERS..].iter_mut().zip(lanes) {
                 *word |= (lane as u32) << order_shift(octant);
             }

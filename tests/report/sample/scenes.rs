@@ -49,6 +49,10 @@ fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRec
         build: BuildRecord {
             one_thread_ns: times(kind.build_ms * 1.8e6, 10, key + 50),
             all_threads_ns: times(kind.build_ms * 1e6, 10, key + 51),
+            stages: vec![BuildStage {
+                name: "structure".to_owned(),
+                ns: (kind.build_ms * 0.9e6) as u64,
+            }],
         },
         memory: Some(Memory {
             index_bytes: kind.bytes,
@@ -199,6 +203,7 @@ pub(super) fn hall() -> SceneRecord {
         build: BuildRecord {
             one_thread_ns: times(1.6e6, 10, 7),
             all_threads_ns: times(1.5e6, 10, 8),
+            stages: vec![],
         },
         ..StructureRecord::default()
     };
