@@ -1,11 +1,11 @@
-//! The triangles of a mesh, four to a pack, as structures offer them.
+//! The triangles of a mesh, eight to a pack, as structures offer them.
 
 use std::ops::Range;
 
 use glam::{DVec3, Vec3, Vec3A, Vec4};
 use rayon::prelude::*;
 
-use crate::accel::{Bounded, Packs, Primitives, ScaledHit};
+use crate::accel::{Bounded, PACK, Packs, Primitives, ScaledHit};
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray};
 use crate::simd::{Lanes3, Row, Simd, ones, splat3};
@@ -13,6 +13,7 @@ use crate::simd::{Lanes3, Row, Simd, ones, splat3};
 use super::Triangle;
 use super::triangle::scaled_hit;
 
+/// Lanes that a ray alone is tested with.
 const LANES: usize = 4;
 
 /// Triangles in slot order. Hits have object 0; `prim` is the index of the triangle in the mesh.
@@ -24,13 +25,23 @@ pub struct TriangleSet {
     padding: Padding,
 }
 
-/// Four triangles in structure-of-arrays form. Empty lanes are all zero, which nothing hits.
+/// Eight triangles in structure-of-arrays form, five cache lines. Empty lanes are all zero, which
+/// nothing hits.
 #[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
 struct Pack {
-    v0: Lanes3<Vec4>,
-    e1: Lanes3<Vec4>,
-    e2: Lanes3<Vec4>,
-    prim: [u32; LANES],
+    v0: [[f32; PACK]; 3],
+    e1: [[f32; PACK]; 3],
+    e2: [[f32; PACK]; 3],
+    prim: [u32; PACK],
+}
+
+/// Four lanes of a pack: what rays that come one by one are tested with.
+#[derive(Clone, Copy)]
+struct Half<'a> {
+    pack: &'a Pack,
+    /// The first of the lanes: 0 or 4.
+    first: usize,
 }
 
 /// A ray in every lane.
@@ -93,12 +104,6 @@ impl TriangleSet {
         (self.packs.capacity() * size_of::<Pack>()) as u64
     }
 
-    /// Both halves of a pack of eight.
-    #[inline(always)]
-    fn halves(&self, pack: usize) -> &[Pack; 2] {
-        self.packs[2 * pack..].first_chunk().expect("packs of eight are whole")
-    }
-
     /// The corners of the triangle in a slot, in double precision.
     pub(super) fn corners(&self, slot: u32) -> [DVec3; 3] {
         let Triangle { v0, e1, e2 } = self.slot(slot).0;
@@ -107,21 +112,21 @@ impl TriangleSet {
     }
 
     fn slot(&self, slot: u32) -> (Triangle, u32) {
-        let (pack, lane) = (&self.packs[slot as usize / LANES], slot as usize % LANES);
+        let (pack, lane) = (&self.packs[slot as usize / PACK], slot as usize % PACK);
         (pack.triangle(lane), pack.prim[lane])
     }
 
-    /// Calls `test` with each pack that holds some of the slots, and a mask of their lanes, until
-    /// it returns true.
+    /// Calls `test` with each half of a pack that holds some of the slots, and a mask of their lanes,
+    /// until it returns true.
     #[inline(always)]
-    fn any_pack(&self, slots: Range<u32>, mut test: impl FnMut(&Pack, u32) -> bool) -> bool {
+    fn any_half(&self, slots: Range<u32>, mut test: impl FnMut(Half<'_>, u32) -> bool) -> bool {
         let (start, end) = (slots.start as usize, slots.end as usize);
         (start / LANES..end.div_ceil(LANES)).any(|i| {
             let first = i * LANES;
             let from = start.saturating_sub(first).min(LANES);
             let to = (end - first).min(LANES);
             let mask = (1u32 << to) - (1u32 << from);
-            test(&self.packs[i], mask)
+            test(Half { pack: &self.packs[i / 2], first: i % 2 * LANES }, mask)
         })
     }
 }
@@ -176,10 +181,10 @@ impl Primitives for TriangleSet {
     ) {
         counters.primitives(slots.len() as u32);
         let lane_ray = LaneRay::new(ray);
-        self.any_pack(slots, |pack, mask| {
-            let candidates = pack.candidates(&lane_ray, ray.t_min, best.t, mask);
+        self.any_half(slots, |half, mask| {
+            let candidates = half.candidates(&lane_ray, ray.t_min, best.t, mask);
             if candidates.lanes != 0 {
-                pack.update(&candidates, box_ray, best);
+                half.update(&candidates, box_ray, best);
             }
             false
         });
@@ -195,14 +200,13 @@ impl Primitives for TriangleSet {
     ) -> bool {
         counters.primitives(slots.len() as u32);
         let lane_ray = LaneRay::new(ray);
-        self.any_pack(slots, |pack, mask| {
-            let candidates = pack.candidates(&lane_ray, ray.t_min, ray.t_max, mask);
-            candidates.lanes != 0 && pack.any_accepted(&candidates, box_ray)
+        self.any_half(slots, |half, mask| {
+            let candidates = half.candidates(&lane_ray, ray.t_min, ray.t_max, mask);
+            candidates.lanes != 0 && half.any_accepted(&candidates, box_ray)
         })
     }
 }
 
-/// A pack of eight is two of four that follow each other.
 impl Packs for TriangleSet {
     #[inline(always)]
     fn of_pack<S: Simd>(
@@ -211,8 +215,7 @@ impl Packs for TriangleSet {
         origin: Lanes3<S::F8>,
         dir: Lanes3<S::F8>,
     ) -> ScaledHit<S::F8> {
-        let halves = self.halves(pack);
-        let [v0, e1, e2] = rows::<S>(halves);
+        let [v0, e1, e2] = self.packs[pack].rows::<S>();
         scaled_hit(origin, dir, v0, e1, e2)
     }
 
@@ -224,7 +227,7 @@ impl Packs for TriangleSet {
         origin: Lanes3<S::F16>,
         dir: Lanes3<S::F16>,
     ) -> ScaledHit<S::F16> {
-        let triangle = self.halves(pack)[lane / LANES % 2].triangle(lane % LANES);
+        let triangle = self.packs[pack].triangle(lane);
         let [v0, e1, e2] = [triangle.v0, triangle.e1, triangle.e2];
         scaled_hit(
             origin,
@@ -237,7 +240,7 @@ impl Packs for TriangleSet {
 
     #[inline(always)]
     fn boxes<S: Simd>(&self, pack: usize) -> [Lanes3<S::F8>; 2] {
-        let [v0, e1, e2] = rows::<S>(self.halves(pack));
+        let [v0, e1, e2] = self.packs[pack].rows::<S>();
         let (mut low, mut high) = (v0, v0);
         for axis in 0..3 {
             let (second, third) = (v0[axis] + e1[axis], v0[axis] + e2[axis]);
@@ -249,33 +252,22 @@ impl Packs for TriangleSet {
 
     #[inline(always)]
     fn bounds(&self, pack: usize, lane: usize) -> Aabb {
-        self.halves(pack)[lane / LANES % 2].triangle(lane % LANES).bounds()
+        self.packs[pack].triangle(lane).bounds()
     }
 
     #[inline(always)]
     fn id(&self, pack: usize, lane: usize) -> u32 {
-        self.halves(pack)[lane / LANES % 2].prim[lane % LANES]
+        self.packs[pack].prim[lane % PACK]
     }
 }
 
-/// The corners and edges of eight triangles.
-#[inline(always)]
-fn rows<S: Simd>([low, high]: &[Pack; 2]) -> [Lanes3<S::F8>; 3] {
-    [joined::<S>(&low.v0, &high.v0), joined::<S>(&low.e1, &high.e1), joined::<S>(&low.e2, &high.e2)]
-}
-
-#[inline(always)]
-fn joined<S: Simd>(low: &Lanes3<Vec4>, high: &Lanes3<Vec4>) -> Lanes3<S::F8> {
-    [
-        S::halves(low[0].as_ref(), high[0].as_ref()),
-        S::halves(low[1].as_ref(), high[1].as_ref()),
-        S::halves(low[2].as_ref(), high[2].as_ref()),
-    ]
-}
-
 impl Pack {
-    const EMPTY: Self =
-        Self { v0: [Vec4::ZERO; 3], e1: [Vec4::ZERO; 3], e2: [Vec4::ZERO; 3], prim: [NONE; LANES] };
+    const EMPTY: Self = Self {
+        v0: [[0.0; PACK]; 3],
+        e1: [[0.0; PACK]; 3],
+        e2: [[0.0; PACK]; 3],
+        prim: [NONE; PACK],
+    };
 
     fn set(&mut self, lane: usize, triangle: &Triangle, prim: u32) {
         for axis in 0..3 {
@@ -288,13 +280,34 @@ impl Pack {
 
     #[inline(always)]
     fn triangle(&self, lane: usize) -> Triangle {
-        let pick = |rows: &Lanes3<Vec4>| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
+        let lane = lane % PACK;
+        let pick = |rows: &[[f32; PACK]; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
         Triangle { v0: pick(&self.v0), e1: pick(&self.e1), e2: pick(&self.e2) }
+    }
+
+    /// The corners and edges of all eight.
+    #[inline(always)]
+    fn rows<S: Simd>(&self) -> [Lanes3<S::F8>; 3] {
+        [load3::<S>(&self.v0), load3::<S>(&self.e1), load3::<S>(&self.e2)]
+    }
+}
+
+#[inline(always)]
+fn load3<S: Simd>([x, y, z]: &[[f32; PACK]; 3]) -> Lanes3<S::F8> {
+    [S::F8::load(x), S::F8::load(y), S::F8::load(z)]
+}
+
+impl Half<'_> {
+    /// Four lanes of three rows.
+    #[inline(always)]
+    fn rows(&self, rows: &[[f32; PACK]; 3]) -> Lanes3<Vec4> {
+        rows.each_ref().map(|row| Vec4::from_slice(&row[self.first..]))
     }
 
     #[inline(always)]
     fn candidates(&self, ray: &LaneRay, t_min: f32, t_max: f32, mask: u32) -> Candidates {
-        let hit = scaled_hit(ray.origin, ray.dir, self.v0, self.e1, self.e2);
+        let Pack { v0, e1, e2, .. } = self.pack;
+        let hit = scaled_hit(ray.origin, ray.dir, self.rows(v0), self.rows(e1), self.rows(e2));
         let t = hit.t / hit.det;
         let inside = hit.u.cmpge(Vec4::ZERO)
             & hit.v.cmpge(Vec4::ZERO)
@@ -311,35 +324,39 @@ impl Pack {
             let hit = Hit {
                 t: candidates.t[lane],
                 object: 0,
-                prim: self.prim[lane],
+                prim: self.pack.prim[self.first + lane],
                 u: candidates.u[lane] / det,
                 v: candidates.v[lane] / det,
             };
-            if hit.precedes(best) && box_ray.accepts(&self.triangle(lane).bounds(), hit.t) {
+            if hit.precedes(best) && box_ray.accepts(&self.bounds(lane), hit.t) {
                 *best = hit;
             }
         }
     }
 
+    #[inline(always)]
+    fn bounds(&self, lane: usize) -> Aabb {
+        self.pack.triangle(self.first + lane).bounds()
+    }
+
     #[inline]
     fn any_accepted(&self, candidates: &Candidates, box_ray: &BoxRay) -> bool {
-        ones(candidates.lanes)
-            .any(|lane| box_ray.accepts(&self.triangle(lane).bounds(), candidates.t[lane]))
+        ones(candidates.lanes).any(|lane| box_ray.accepts(&self.bounds(lane), candidates.t[lane]))
     }
 }
 
-/// Packs with the triangles of so many slots and their ids, in packs of eight that are whole.
+/// Packs with the triangles of so many slots and their ids.
 fn pack(slots: usize, triangle: impl Fn(usize) -> Option<(Triangle, u32)> + Sync) -> Vec<Pack> {
     let filled = |index: usize| {
         let mut pack = Pack::EMPTY;
-        for lane in 0..LANES {
-            if let Some((triangle, prim)) = triangle(index * LANES + lane) {
+        for lane in 0..PACK {
+            if let Some((triangle, prim)) = triangle(index * PACK + lane) {
                 pack.set(lane, &triangle, prim);
             }
         }
         pack
     };
-    (0..slots.div_ceil(2 * LANES) * 2).into_par_iter().map(filled).collect()
+    (0..slots.div_ceil(PACK)).into_par_iter().map(filled).collect()
 }
 
 /// The mean of the vertices that the triangles use, each counted once: a file may hold others, and

@@ -89,11 +89,6 @@ impl Simd for Portable {
     }
 
     #[inline(always)]
-    fn halves(low: &[f32; 4], high: &[f32; 4]) -> Self::F8 {
-        Pair(Vec4::from_array(*low), Vec4::from_array(*high))
-    }
-
-    #[inline(always)]
     fn compress(mask: u32, values: &[u32; 8], kept: &mut [u32; 8]) {
         let mut count = 0;
         for (lane, &value) in values.iter().enumerate() {

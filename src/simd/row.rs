@@ -71,9 +71,6 @@ pub trait Simd: Copy + Send + Sync + 'static {
     /// Sixteen records of eight floats as eight rows, the first of which has all first floats.
     fn transpose(records: &[[f32; 8]; 16]) -> [Self::F16; 8];
 
-    /// Eight floats, the first four from one array and the last four from another.
-    fn halves(low: &[f32; 4], high: &[f32; 4]) -> Self::F8;
-
     /// Moves the values with a one in the mask to the front of `kept`; what stands behind them is
     /// not specified.
     fn compress(mask: u32, values: &[u32; 8], kept: &mut [u32; 8]);

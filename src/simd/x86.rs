@@ -394,11 +394,6 @@ fn transposed(r: &[[f32; 8]]) -> [__m256; 8] {
     })
 }
 
-#[inline(always)]
-fn joined(low: &[f32; 4], high: &[f32; 4]) -> __m256 {
-    op!(_mm256_loadu2_m128(high.as_ptr(), low.as_ptr()))
-}
-
 impl Simd for Avx2 {
     type F8 = Eight;
     type F16 = Pair<Eight>;
@@ -413,11 +408,6 @@ impl Simd for Avx2 {
             rows[i] = Pair(Eight(low[i]), Eight(high[i]));
         }
         rows
-    }
-
-    #[inline(always)]
-    fn halves(low: &[f32; 4], high: &[f32; 4]) -> Eight {
-        Eight(joined(low, high))
     }
 
     #[inline(always)]
@@ -468,11 +458,6 @@ impl Simd for Avx512 {
             rows[i] = Sixteen(op!(_mm512_insertf32x8::<1>(low, high[i])));
         }
         rows
-    }
-
-    #[inline(always)]
-    fn halves(low: &[f32; 4], high: &[f32; 4]) -> MaskedEight {
-        MaskedEight(joined(low, high))
     }
 
     #[inline(always)]

@@ -6,7 +6,7 @@ use crate::math::{Hit, Ray};
 use crate::simd::{Row, ones};
 
 use super::Bvh8;
-use super::packet::{Best, RAYS};
+use super::packet::{ALL, Best, RAYS};
 
 /// An answer of the kernels.
 pub(super) trait Answer: Copy {
@@ -38,14 +38,9 @@ impl Answer for Hit {
 
     #[inline(always)]
     fn of_packet<R: Row<RAYS>>(best: &Best<R>, answers: &mut [Self; RAYS]) {
-        *answers = [Self::MISS; RAYS];
-        let (mut t, mut u, mut v) = ([0.0; RAYS], [0.0; RAYS], [0.0; RAYS]);
-        best.t.store(&mut t);
-        best.u.store(&mut u);
-        best.v.store(&mut v);
-        for ray in ones(best.hit) {
-            let (t, u, v) = (t[ray], u[ray], v[ray]);
-            answers[ray] = Self { t, object: 0, prim: best.prim[ray], u, v };
+        best.write(answers);
+        for ray in ones(!best.hit & ALL) {
+            answers[ray] = Self::MISS;
         }
     }
 

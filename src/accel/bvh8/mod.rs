@@ -11,6 +11,7 @@ mod binned;
 mod collapse;
 mod node;
 mod packet;
+mod parked;
 mod plan;
 mod slab_ray;
 mod wave;
@@ -29,6 +30,8 @@ use self::answer::Answer;
 use self::binary::binary_tree;
 use self::collapse::{Leaves, collapse};
 use self::node::{Child, FAR, Node, WIDTH, near_planes, order_shift};
+use self::packet::Outcome;
+use self::parked::Parked;
 use self::plan::Plan;
 use self::slab_ray::Sides;
 use super::{
@@ -38,6 +41,10 @@ use super::{
 
 /// The stack lives with the call up to this height, and on the heap beyond.
 const USUAL_HEIGHT: usize = 64;
+
+/// The most entries that the stacks of the kernels hold, a power of two: enough for trees of
+/// billions. Deeper trees are walked ray by ray.
+const HEIGHT: usize = 128;
 
 /// A wide tree of boxes.
 #[derive(Clone, Debug)]
@@ -259,7 +266,7 @@ impl<'a, P: Primitives> Search<'a, P> {
     /// so deep that it would need higher stacks than theirs.
     fn new(tree: &'a Bvh8, primitives: &'a P) -> Option<Self> {
         let packs = primitives.packs()?;
-        let suits = !tree.nodes.is_empty() && tree.need < wave::HEIGHT;
+        let suits = !tree.nodes.is_empty() && tree.need < HEIGHT;
         suits.then(|| Self { tree, primitives, packs, padding: primitives.padding() })
     }
 }
@@ -269,8 +276,10 @@ impl<'a, P: Primitives> Search<'a, P> {
 struct Scratch {
     wave: wave::Scratch,
     packet: packet::Stack,
-    /// Rays that go down in waves, by their place in the slice.
+    /// Rays that go down in waves, by their place in the slice: from the root, and from where their
+    /// packet has parted.
     scattered: Vec<u32>,
+    parked: Parked,
 }
 
 thread_local! {
@@ -286,7 +295,7 @@ struct Trace<'a, P: Primitives, A, C> {
     counters: &'a mut C,
 }
 
-/// Rays go down by sixteens where they are coherent, and what is left in waves.
+/// Rays go down by sixteens where and as long as they are coherent, and else in waves.
 impl<P: Primitives, A: Answer, C: Counters> Kernel for Trace<'_, P, A, C> {
     type Output = ();
 
@@ -294,18 +303,23 @@ impl<P: Primitives, A: Answer, C: Counters> Kernel for Trace<'_, P, A, C> {
     fn run<S: Simd>(self) {
         let Self { search, rays, answers, counters } = self;
         let mut scratch = SCRATCH.take().unwrap_or_default();
-        let Scratch { wave, packet, scattered } = &mut *scratch;
+        let Scratch { wave, packet, scattered, parked } = &mut *scratch;
         scattered.clear();
+        parked.clear();
         let (packets, rest) = rays.as_chunks::<{ packet::RAYS }>();
         let (of_packets, _) = answers.as_chunks_mut::<{ packet::RAYS }>();
         for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
-            if !packet::search::<S, P, A, C>(&search, rays, answers, packet, counters) {
-                let first = (number * packet::RAYS) as u32;
-                scattered.extend(first..first + packet::RAYS as u32);
+            let first = (number * packet::RAYS) as u32;
+            let numbered = (first, rays);
+            match packet::search::<S, P, A, C>(&search, numbered, answers, packet, parked, counters)
+            {
+                Outcome::Answered | Outcome::Parted => {}
+                Outcome::Mixed => scattered.extend(first..first + packet::RAYS as u32),
             }
         }
         scattered.extend((rays.len() - rest.len()) as u32..rays.len() as u32);
-        wave::search::<S, P, A, C>(&search, rays, scattered, answers, wave, counters);
+        let waiting = (&scattered[..], &*parked);
+        wave::search::<S, P, A, C>(&search, rays, waiting, answers, wave, counters);
         SCRATCH.set(Some(scratch));
     }
 }

@@ -9,24 +9,31 @@
 
 use crate::accel::{PACK, Packs, Primitives};
 use crate::counters::Counters;
-use crate::math::{NONE, Padding, Ray};
+use crate::math::{Hit, NONE, Padding, Ray};
 use crate::simd::{Lanes, Lanes3, Mask, Row, Simd, ones};
 
+use super::HEIGHT;
 use super::Search;
 use super::answer::Answer;
 use super::node::{Child, FAR, Node, near_planes, order_shift};
+use super::parked::Parked;
 use super::slab_ray::{LARGEST_PRODUCT, SLACK};
 
 /// Rays of a packet.
 pub(super) const RAYS: usize = 16;
 
 /// The stack of a packet, kept from call to call.
-#[derive(Default)]
 pub(super) struct Stack {
     /// What is to be visited, and by which rays.
-    entries: Vec<(Child, u32)>,
+    entries: [(Child, u32); HEIGHT],
     /// Where each ray enters it.
-    begins: Vec<[f32; RAYS]>,
+    begins: [[f32; RAYS]; HEIGHT],
+}
+
+impl Default for Stack {
+    fn default() -> Self {
+        Self { entries: [(Child::ABSENT, 0); HEIGHT], begins: [[0.0; RAYS]; HEIGHT] }
+    }
 }
 
 /// Sixteen rays of one octant, a ray in each lane.
@@ -57,10 +64,10 @@ struct Hull<S: Simd> {
 
 /// The best hits so far.
 pub(super) struct Best<R> {
-    pub(super) t: R,
-    pub(super) u: R,
-    pub(super) v: R,
-    pub(super) prim: [u32; RAYS],
+    t: R,
+    u: R,
+    v: R,
+    prim: [u32; RAYS],
     /// A bit for each ray that has hit something.
     pub(super) hit: u32,
 }
@@ -230,29 +237,57 @@ impl<S: Simd> Hull<S> {
 }
 
 /// A bit for each ray.
-const ALL: u32 = (1 << RAYS) - 1;
+pub(super) const ALL: u32 = (1 << RAYS) - 1;
 
-/// Answers sixteen rays. Returns false, and has done nothing, if they are too different.
+/// What became of sixteen rays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Outcome {
+    /// All are answered.
+    Answered,
+    /// They are too different; nothing was done.
+    Mixed,
+    /// They have parted on the way: those that are not parked are answered.
+    Parted,
+}
+
+/// How closely a packet holds together: a purse of rays. Each visit brings as many as take part in
+/// it and costs [`PRICE`](Self::PRICE), about what a visit of one ray in a wave costs beside that
+/// of a packet. When the purse is empty, the rays are better off in waves.
+struct Purse(u32);
+
+impl Purse {
+    const PRICE: u32 = 4;
+    /// What a packet starts with, and the most that it can save for visits by few.
+    const MOST: u32 = 32;
+
+    /// Whether there is enough for a visit by so many rays.
+    #[inline(always)]
+    fn pays(&mut self, active: u32) -> bool {
+        let with = (self.0 + active.count_ones()).min(Self::MOST);
+        self.0 = with.saturating_sub(Self::PRICE);
+        with >= Self::PRICE
+    }
+}
+
+/// Answers sixteen rays, the first of which has the place `first` in the slice, or parks some that
+/// have parted.
 #[inline(always)]
 pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
     search: &Search<'_, P>,
-    rays: &[Ray; RAYS],
+    (first, rays): (u32, &[Ray; RAYS]),
     answers: &mut [A; RAYS],
     stack: &mut Stack,
+    parked: &mut Parked,
     counters: &mut C,
-) -> bool {
+) -> Outcome {
     let Some((packet, ends)) = Packet::<S>::load(rays, search.padding) else {
-        return false;
+        return Outcome::Mixed;
     };
+    let mut purse = Purse(Purse::MOST);
     let zero = S::F16::splat(0.0);
     let mut best = Best { t: ends, u: zero, v: zero, prim: [NONE; RAYS], hit: 0 };
     let tree = search.tree;
-    let height = tree.need + PACK + 1;
-    if stack.entries.len() < height {
-        stack.entries.resize(height, (Child::ABSENT, 0));
-        stack.begins.resize(height, [0.0; RAYS]);
-    }
-    let (entries, begins) = (&mut stack.entries[..height], &mut stack.begins[..height]);
+    let Stack { entries, begins } = stack;
     entries[0] = (Child::node(0), ALL);
     begins[0] = [f32::NEG_INFINITY; RAYS];
     let mut top = 1;
@@ -260,14 +295,19 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
     let shift = order_shift(packet.octant);
     while top > 0 {
         top -= 1;
-        let (child, mut active) = entries[top];
+        let (child, mut active) = entries[top % HEIGHT];
         if A::ANY {
             active &= !best.hit;
         } else {
-            active &= S::F16::load(&begins[top]).le(best.t).bits();
+            active &= S::F16::load(&begins[top % HEIGHT]).le(best.t).bits();
         }
         if active == 0 {
             continue;
+        }
+        if !purse.pays(active) {
+            A::of_packet(&best, answers);
+            stack.part::<S, A>(top + 1, first, &best, parked);
+            return Outcome::Parted;
         }
         if child.is_leaf() {
             if C::COUNTS {
@@ -303,15 +343,46 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
             }
             let (near, far) = packet.interval(node, lane, best.t);
             let entering = near.le(far).bits() & active;
-            entries[top] = (Child(node.children()[lane]), entering);
+            entries[top % HEIGHT] = (Child(node.children()[lane]), entering);
             if !A::ANY {
-                near.store(&mut begins[top]);
+                near.store(&mut begins[top % HEIGHT]);
             }
             top += usize::from(entering != 0);
         }
     }
     A::of_packet(&best, answers);
-    true
+    Outcome::Answered
+}
+
+impl Stack {
+    /// Parks the rays that are still to visit something of the lowest `height` entries.
+    #[inline(never)]
+    fn part<S: Simd, A: Answer>(
+        &self,
+        height: usize,
+        first: u32,
+        best: &Best<S::F16>,
+        parked: &mut Parked,
+    ) {
+        let mut hits = [Hit::MISS; RAYS];
+        best.write(&mut hits);
+        let mut left = 0;
+        for &(_, active) in &self.entries[..height] {
+            left |= active;
+        }
+        if A::ANY {
+            left &= !best.hit;
+        }
+        for ray in ones(left) {
+            let entries = self.entries[..height].iter().zip(&self.begins[..height]);
+            let own = entries.filter(|((_, active), _)| active >> ray & 1 != 0);
+            parked.park(
+                first + ray as u32,
+                hits[ray],
+                own.map(|(entry, begins)| (entry.0, begins[ray])),
+            );
+        }
+    }
 }
 
 /// Tests the primitives of a leaf that the packet as a whole does not miss.
@@ -368,6 +439,21 @@ fn test_leaf<S: Simd, P: Packs, A: Answer>(
         best.hit |= found;
         for ray in ones(found) {
             best.prim[ray % RAYS] = prim;
+        }
+    }
+}
+
+impl<R: Row<RAYS>> Best<R> {
+    /// The hits; of rays without one, the end of the search in their place.
+    #[inline(always)]
+    pub(super) fn write(&self, hits: &mut [Hit; RAYS]) {
+        let mut rows = [[0.0; RAYS]; 3];
+        self.t.store(&mut rows[0]);
+        self.u.store(&mut rows[1]);
+        self.v.store(&mut rows[2]);
+        for (ray, hit) in hits.iter_mut().enumerate() {
+            let [t, u, v] = [rows[0][ray], rows[1][ray], rows[2][ray]];
+            *hit = Hit { t, object: 0, prim: self.prim[ray], u, v };
         }
     }
 }

@@ -8,20 +8,17 @@
 
 use crate::accel::{PACK, Packs, Primitives};
 use crate::counters::Counters;
-use crate::math::{BoxRay, Hit, NONE, Ray};
+use crate::math::{BoxRay, Hit, NONE, Padding, Ray};
 use crate::simd::{Mask, Row, Simd, splat3};
 
-use super::Search;
 use super::answer::Answer;
 use super::node::{Child, FAR, near_planes, order_shift};
+use super::parked::{Parked, ParkedRay};
 use super::slab_ray::SlabRay;
+use super::{HEIGHT, Search};
 
 /// Rays in flight.
 const RAYS: usize = 32;
-
-/// The most entries that a ray's stack holds, a power of two: enough for trees of billions. What is
-/// deeper is not traced in waves.
-pub(super) const HEIGHT: usize = 128;
 
 /// Room for the entries, for the row that is written at once beyond them, and so much more that
 /// slots do not lie at a multiple of the distance that a cache's sets repeat in.
@@ -154,12 +151,12 @@ impl Slot {
     };
 }
 
-/// Answers those of the rays whose places in the slice are in `which`.
+/// Answers those of the rays whose places in the slice are in `which`, and those that are parked.
 #[inline(always)]
 pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
     search: &Search<'_, P>,
     rays: &[Ray],
-    which: &[u32],
+    (which, parked): (&[u32], &Parked),
     answers: &mut [A],
     scratch: &mut Scratch,
     counters: &mut C,
@@ -171,14 +168,14 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
     let mut leaves = List::EMPTY;
     let mut improved = List::EMPTY;
     let mut done = List::EMPTY;
-    let mut waiting = which.iter();
+    let mut waiting =
+        Waiting { rays, fresh: which.iter(), on_the_way: parked.rays().iter(), parked };
     for id in 0..RAYS as u8 {
         let slot = &mut slots[usize::from(id)];
-        let taken = take::<S, P, A, C>(search, rays, &mut waiting, slot, counters, answers);
-        nodes.append(id, taken);
-        if !taken {
+        if !waiting.take::<S, P, A, C>(search, slot, counters, answers) {
             break;
         }
+        pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
     }
     let zero = S::F8::splat(0.0);
     while nodes.length + leaves.length > 0 {
@@ -271,8 +268,9 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
             let id = done.slot(place);
             let slot = &mut slots[usize::from(id) % RAYS];
             answers[slot.ray as usize] = A::of(slot.hit());
-            let taken = take::<S, P, A, C>(search, rays, &mut waiting, slot, counters, answers);
-            nodes.append(id, taken);
+            if waiting.take::<S, P, A, C>(search, slot, counters, answers) {
+                pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
+            }
         }
     }
 }
@@ -286,43 +284,82 @@ impl Slot {
     }
 }
 
-/// Puts the next ray into a slot. Rays that the slab test cannot take are traced at once, alone.
-#[inline(always)]
-fn take<S: Simd, P: Primitives, A: Answer, C: Counters>(
-    search: &Search<'_, P>,
-    rays: &[Ray],
-    waiting: &mut std::slice::Iter<'_, u32>,
-    slot: &mut Slot,
-    counters: &mut C,
-    answers: &mut [A],
-) -> bool {
-    for &index in waiting {
-        let ray = &rays[index as usize];
-        let box_ray = BoxRay::new(ray, search.padding);
-        let Some(slab) = SlabRay::new::<S>(ray, &box_ray, search.padding) else {
+/// Rays that are not yet in flight.
+struct Waiting<'a> {
+    rays: &'a [Ray],
+    /// Those that begin with the root, by their places in the slice.
+    fresh: std::slice::Iter<'a, u32>,
+    on_the_way: std::slice::Iter<'a, ParkedRay>,
+    parked: &'a Parked,
+}
+
+impl Waiting<'_> {
+    /// Puts the next ray into a slot, if there is one. Rays that the slab test cannot take are
+    /// traced at once, alone.
+    #[inline(always)]
+    fn take<S: Simd, P: Primitives, A: Answer, C: Counters>(
+        &mut self,
+        search: &Search<'_, P>,
+        slot: &mut Slot,
+        counters: &mut C,
+        answers: &mut [A],
+    ) -> bool {
+        while let Some(&index) = self.fresh.next() {
+            if slot.load::<S>(index, &self.rays[index as usize], search.padding) {
+                slot.entries[1] = Child::node(0).0;
+                slot.height = 2;
+                return true;
+            }
+            let ray = &self.rays[index as usize];
             answers[index as usize] = A::alone(search.tree, search.primitives, ray, counters);
-            continue;
+        }
+        // A packet has taken these, so the slab test can.
+        let Some(ray) = self.on_the_way.next() else {
+            return false;
+        };
+        let taken = slot.load::<S>(ray.ray, &self.rays[ray.ray as usize], search.padding);
+        slot.go_on(ray, self.parked.entries(ray));
+        taken
+    }
+}
+
+impl Slot {
+    /// Takes a ray that has not begun. Returns false if the slab test cannot take it.
+    #[inline(always)]
+    fn load<S: Simd>(&mut self, index: u32, ray: &Ray, padding: Padding) -> bool {
+        let box_ray = BoxRay::new(ray, padding);
+        let Some(slab) = SlabRay::new::<S>(ray, &box_ray, padding) else {
+            return false;
         };
         // Field by field: a whole slot would be put together elsewhere and copied.
-        slot.inv_dir = slab.inv_dir.to_array();
-        slot.t_min = ray.t_min;
-        slot.near = slab.near.to_array();
-        slot.end = ray.t_max;
-        slot.far = slab.far.to_array();
-        slot.height = 1;
-        slot.near_planes = near_planes(slab.octant);
-        slot.order_shift = order_shift(slab.octant);
-        slot.origin = ray.origin.to_array();
-        slot.at = Child::node(0);
-        slot.dir = ray.dir.to_array();
-        slot.prim = NONE;
-        slot.u = 0.0;
-        slot.v = 0.0;
-        slot.ray = index;
-        slot.box_ray = box_ray;
-        return true;
+        self.inv_dir = slab.inv_dir.to_array();
+        self.t_min = ray.t_min;
+        self.near = slab.near.to_array();
+        self.end = ray.t_max;
+        self.far = slab.far.to_array();
+        self.near_planes = near_planes(slab.octant);
+        self.order_shift = order_shift(slab.octant);
+        self.origin = ray.origin.to_array();
+        self.dir = ray.dir.to_array();
+        self.prim = NONE;
+        self.u = 0.0;
+        self.v = 0.0;
+        self.ray = index;
+        self.box_ray = box_ray;
+        true
     }
-    false
+
+    /// Gives a ray what it has found on its way, and what it is still to visit.
+    #[inline(always)]
+    fn go_on(&mut self, ray: &ParkedRay, entries: &[(Child, f32)]) {
+        let Hit { t, prim, u, v, .. } = ray.best;
+        (self.end, self.prim, self.u, self.v) = (t, prim, u, v);
+        let places = self.entries[1..HEIGHT].iter_mut().zip(&mut self.distances[1..HEIGHT]);
+        for ((entry, distance), (child, begin)) in places.zip(entries) {
+            (*entry, *distance) = (child.0, *begin);
+        }
+        self.height = 1 + entries.len().min(HEIGHT - 1) as u32;
+    }
 }
 
 /// Appends a ray to the list where the top of its stack belongs, and takes that from the stack;

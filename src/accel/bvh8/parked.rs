@@ -1,0 +1,59 @@
+//! Rays that a packet leaves on the way: what they have found, and what is still to be visited.
+
+use crate::math::Hit;
+
+use super::node::Child;
+
+/// Rays on the way, kept from call to call.
+#[derive(Default)]
+pub(super) struct Parked {
+    rays: Vec<ParkedRay>,
+    /// What each ray is still to visit and where that begins, the nearest last: ray by ray.
+    entries: Vec<(Child, f32)>,
+}
+
+/// A ray on the way.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ParkedRay {
+    /// Its place in the slice.
+    pub(super) ray: u32,
+    /// The best hit so far; if there is none, its parameter is the ray's end.
+    pub(super) best: Hit,
+    /// Its entries.
+    first: u32,
+    count: u32,
+}
+
+impl Parked {
+    /// Forgets all rays.
+    pub(super) fn clear(&mut self) {
+        self.rays.clear();
+        self.entries.clear();
+    }
+
+    /// Parks a ray with what it is to visit, the nearest last. A ray without entries must not be
+    /// parked.
+    pub(super) fn park(
+        &mut self,
+        ray: u32,
+        best: Hit,
+        entries: impl Iterator<Item = (Child, f32)>,
+    ) {
+        let first = self.entries.len();
+        self.entries.extend(entries);
+        let count = (self.entries.len() - first) as u32;
+        debug_assert!(count > 0, "nothing is left to be visited");
+        self.rays.push(ParkedRay { ray, best, first: first as u32, count });
+    }
+
+    /// The rays.
+    pub(super) fn rays(&self) -> &[ParkedRay] {
+        &self.rays
+    }
+
+    /// What a ray is to visit.
+    pub(super) fn entries(&self, ray: &ParkedRay) -> &[(Child, f32)] {
+        let first = ray.first as usize;
+        &self.entries[first..first + ray.count as usize]
+    }
+}
