@@ -67,7 +67,7 @@ pub const STRUCTURES: &[Structure] = &[
     ),
     Structure::new::<Bvh8, Bvh8>(
         "bvh8",
-        "obvhs's tree, eight wide, over objects and triangles: many rays at once",
+        "an eight-wide tree over objects and triangles: many rays at once",
     ),
 ];
 

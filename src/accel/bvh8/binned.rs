@@ -24,7 +24,8 @@ const USUAL_DEPTH: u32 = 96;
 /// parallel.
 const PARALLEL: usize = 1 << 13;
 
-/// Builds a tree over at least one box, for leaves in which so many primitives cost as much as one.
+/// Builds a tree over at least one box, for leaves in which so many primitives, a power of two, cost as much as
+/// one.
 pub(super) fn build(boxes: &[Aabb], pack: u32) -> Bvh2 {
     let mut references: Vec<_> =
         boxes.par_iter().enumerate().map(|(index, bounds)| Reference::new(index, bounds)).collect();
@@ -34,7 +35,8 @@ pub(super) fn build(boxes: &[Aabb], pack: u32) -> Bvh2 {
         .reduce(|| (Region::EMPTY, Region::EMPTY), |a, b| (a.0.union(b.0), a.1.union(b.1)));
     let mut nodes = vec![Bvh2Node::default(); 2 * boxes.len() - 1];
     let (root, below) = nodes.split_first_mut().expect("there is a root");
-    let part = Part { references: &mut references, first: 0, bounds, centers, pack };
+    let part =
+        Part { references: &mut references, first: 0, bounds, centers, pack_bits: pack.ilog2() };
     *root = grow(part, below, 1, 0);
     let primitive_indices = references.par_iter().map(|reference| reference.index()).collect();
     Bvh2 { nodes, primitive_indices, ..Bvh2::default() }
@@ -111,8 +113,8 @@ struct Part<'a> {
     bounds: Region,
     /// The box around twice their centres.
     centers: Region,
-    /// How many are tested at once.
-    pack: u32,
+    /// The logarithm of how many are tested at once.
+    pack_bits: u32,
 }
 
 /// Builds a node, and those below it into `below`, whose first is node `base` of the tree.
@@ -142,7 +144,8 @@ impl<'a> Part<'a> {
             return self.at(count / 2);
         }
         let grid = Grid::new(&self.centers, count);
-        let Some(Split { axis, last }) = Bins::of(self.references, &grid).split(&grid, self.pack)
+        let Some(Split { axis, last }) =
+            Bins::of(self.references, &grid).split(&grid, self.pack_bits)
         else {
             return self.at(count / 2);
         };
@@ -185,7 +188,7 @@ impl<'a> Part<'a> {
             first,
             bounds,
             centers,
-            pack: self.pack,
+            pack_bits: self.pack_bits,
         };
         [part(front, self.first, left), part(back, self.first + count as u32, right)]
     }
@@ -234,8 +237,8 @@ impl Bin {
     }
 
     /// The expected cost of testing its primitives, if it is a node: 0 if there are none.
-    fn cost(&self, pack: u32) -> f32 {
-        let tests = self.count.div_ceil(pack);
+    fn cost(&self, pack_bits: u32) -> f32 {
+        let tests = (self.count + (1 << pack_bits) - 1) >> pack_bits;
         if self.count == 0 { 0.0 } else { self.bounds.half_area() * tests as f32 }
     }
 }
@@ -279,7 +282,7 @@ impl Bins {
     }
 
     /// The cheapest split with primitives on both sides; none if all centres are in one bin.
-    fn split(&self, grid: &Grid, pack: u32) -> Option<Split> {
+    fn split(&self, grid: &Grid, pack_bits: u32) -> Option<Split> {
         let mut best = (f32::INFINITY, None);
         for (axis, bins) in self.0.iter().enumerate() {
             let bins = &bins[..grid.bins];
@@ -287,12 +290,12 @@ impl Bins {
             let mut right = Bin::EMPTY;
             for last in (0..bins.len() - 1).rev() {
                 right = right.and(&bins[last + 1]);
-                behind[last] = right.cost(pack);
+                behind[last] = right.cost(pack_bits);
             }
             let (mut left, all) = (Bin::EMPTY, right.count + bins[0].count);
             for (last, bin) in bins[..bins.len() - 1].iter().enumerate() {
                 left = left.and(bin);
-                let cost = left.cost(pack) + behind[last];
+                let cost = left.cost(pack_bits) + behind[last];
                 if 0 < left.count && left.count < all && cost < best.0 {
                     best = (cost, Some(Split { axis, last }));
                 }

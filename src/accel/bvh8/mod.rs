@@ -1,9 +1,9 @@
 //! A tree of eight children a node, with kernels that trace many rays at once.
 //!
 //! A binary tree with a primitive in each leaf (`binary.rs`) is collapsed at the least cost
-//! (`plan.rs`, `collapse.rs`). Slices of rays go down it in packets where they are coherent (`packet.rs`) and
-//! in waves where they are not (`wave.rs`); a single ray is walked by [`Accel::traverse`], which is
-//! also the way of the rays that the kernels' terms cannot take.
+//! (`plan.rs`, `collapse.rs`). Slices of rays go down it in packets where they are coherent
+//! (`packet.rs`) and in waves where they are not (`wave.rs`); a single ray is walked by
+//! [`Accel::traverse`], which is also the way of the rays that the kernels' terms cannot take.
 
 mod answer;
 mod binary;
