@@ -104,6 +104,16 @@ impl RayToObject {
         let dir = self.0.transform_vector3a(Vec3A::from(ray.dir));
         Ray { origin: origin.into(), dir: dir.into(), ..*ray }
     }
+
+    /// The columns of the matrix and the translation: [`apply`](Self::apply) adds the products
+    /// with a point's coordinates up in this order.
+    #[inline]
+    #[must_use]
+    pub fn columns(&self) -> [[f32; 3]; 4] {
+        let Affine3A { matrix3, translation } = self.0;
+        [matrix3.x_axis, matrix3.y_axis, matrix3.z_axis, translation]
+            .map(|column| column.to_array())
+    }
 }
 
 /// A matrix rounded to `f32`.

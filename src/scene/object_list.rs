@@ -13,9 +13,9 @@ use glam::Vec3A;
 use crate::accel::{Accel, Bounded, Indexed, NoPacks, Primitives};
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray, RayToObject};
-use crate::shapes::{Ball, Cylinder, Triangle, TriangleSet};
+use crate::shapes::{Place, Single, TriangleSet};
 
-use super::{Form, Scene, object_slices};
+use super::{Form, Scene, mesh_stream};
 
 /// Paddings grow with how much a transform amplifies rounding, up to this: beyond, an object is so
 /// nearly flat that its own hits are noise.
@@ -25,24 +25,22 @@ const LARGEST_AMPLIFICATION: f64 = 1e4;
 /// needed: objects are tested one by one.
 #[derive(Clone, Debug)]
 pub struct ObjectList<A> {
-    pub(super) objects: Vec<Placed<A>>,
+    objects: Vec<Placed<A>>,
     padding: Padding,
 }
 
 /// An object as a ray meets it.
 #[derive(Clone, Debug)]
-pub(super) struct Placed<A> {
+struct Placed<A> {
     bounds: Aabb,
-    pub(super) to_object: Option<Box<RayToObject>>,
-    pub(super) form: PlacedForm<A>,
-    pub(super) id: u32,
+    to_object: Option<Box<RayToObject>>,
+    form: PlacedForm<A>,
+    id: u32,
 }
 
 #[derive(Clone, Debug)]
-pub(super) enum PlacedForm<A> {
-    Ball(Ball),
-    Cylinder,
-    Triangle(Triangle),
+enum PlacedForm<A> {
+    Single(Single),
     Mesh(Arc<Indexed<TriangleSet, A>>),
 }
 
@@ -65,9 +63,9 @@ impl<A: Accel> ObjectList<A> {
             bounds: object.bounds,
             to_object: object.transform.as_ref().map(|t| Box::new(t.ray_to_object())),
             form: match object.form {
-                Form::Ball(ball) => PlacedForm::Ball(ball),
-                Form::Cylinder => PlacedForm::Cylinder,
-                Form::Triangle(triangle) => PlacedForm::Triangle(triangle),
+                Form::Ball(ball) => PlacedForm::Single(Single::Ball(ball)),
+                Form::Cylinder => PlacedForm::Single(Single::Cylinder),
+                Form::Triangle(triangle) => PlacedForm::Single(Single::Triangle(triangle)),
                 Form::Mesh { mesh, .. } => PlacedForm::Mesh(Arc::clone(&meshes[mesh])),
             },
             id: id as u32,
@@ -122,10 +120,20 @@ impl<A: Accel> Primitives for ObjectList<A> {
         best: &mut Hit,
         counters: &mut C,
     ) {
-        for object in &self.objects[slots.start as usize..slots.end as usize] {
-            if let Some(hit) = object.closest(ray, box_ray, best.t, counters)
-                && hit.precedes(best)
-            {
+        for object in self.in_slots(slots) {
+            let place = object.place(self.padding);
+            let hit = match &object.form {
+                PlacedForm::Single(single) => {
+                    counters.primitives(1);
+                    single.closest(&place, &Ray { t_max: best.t, ..*ray }, box_ray)
+                }
+                PlacedForm::Mesh(mesh) => {
+                    let own = place.own_part(ray, box_ray, best.t);
+                    let hit = mesh.closest(&own, counters);
+                    hit.is_hit().then_some(Hit { object: object.id, ..hit })
+                }
+            };
+            if let Some(hit) = hit.filter(|hit| hit.precedes(best)) {
                 *best = hit;
             }
         }
@@ -139,113 +147,80 @@ impl<A: Accel> Primitives for ObjectList<A> {
         box_ray: &BoxRay,
         counters: &mut C,
     ) -> bool {
-        self.objects[slots.start as usize..slots.end as usize]
-            .iter()
-            .any(|object| object.blocks(ray, box_ray, counters))
+        self.in_slots(slots).iter().any(|object| {
+            let place = object.place(self.padding);
+            match &object.form {
+                PlacedForm::Single(single) => {
+                    counters.primitives(1);
+                    single.closest(&place, ray, box_ray).is_some()
+                }
+                PlacedForm::Mesh(mesh) => {
+                    let own = place.own_part(ray, box_ray, ray.t_max);
+                    mesh.blocked(&own, counters)
+                }
+            }
+        })
     }
 
-    fn intersect_all<C: Counters>(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut C) -> bool {
-        let few = object_slices::suits(self);
-        if few {
-            object_slices::closest(self, rays, hits, counters);
-        }
-        few
-    }
-
-    fn occluded_all<C: Counters>(
+    fn intersect_stream<C: Counters>(
         &self,
+        slots: Range<u32>,
         rays: &[Ray],
-        answers: &mut [bool],
+        which: &[u32],
+        best: &mut [Hit],
         counters: &mut C,
-    ) -> bool {
-        let few = object_slices::suits(self);
-        if few {
-            object_slices::blocked(self, rays, answers, counters);
+    ) {
+        for object in self.in_slots(slots) {
+            let place = object.place(self.padding);
+            match &object.form {
+                PlacedForm::Single(single) => {
+                    counters.primitives(which.len() as u32);
+                    single.closest_of_many(&place, rays, which, best);
+                }
+                PlacedForm::Mesh(mesh) => {
+                    mesh_stream::closest(mesh, &place, rays, which, best, counters);
+                }
+            }
         }
-        few
+    }
+
+    fn occluded_stream<C: Counters>(
+        &self,
+        slots: Range<u32>,
+        rays: &[Ray],
+        which: &[u32],
+        blocked: &mut [bool],
+        counters: &mut C,
+    ) {
+        for object in self.in_slots(slots) {
+            let place = object.place(self.padding);
+            match &object.form {
+                PlacedForm::Single(single) => {
+                    counters.primitives(which.len() as u32);
+                    single.blocked_of_many(&place, rays, which, blocked);
+                }
+                PlacedForm::Mesh(mesh) => {
+                    mesh_stream::blocked(mesh, &place, rays, which, blocked, counters);
+                }
+            }
+        }
     }
 }
 
-impl<A: Accel> Placed<A> {
-    /// The first hit on this object up to `t_max`.
-    #[inline]
-    pub(super) fn closest<C: Counters>(
-        &self,
-        ray: &Ray,
-        box_ray: &BoxRay,
-        t_max: f32,
-        counters: &mut C,
-    ) -> Option<Hit> {
-        if let PlacedForm::Mesh(mesh) = &self.form {
-            let hit = mesh.closest(&self.cut_own_ray(ray, box_ray, t_max), counters);
-            return hit.is_hit().then_some(Hit { object: self.id, ..hit });
-        }
-        counters.primitives(1);
-        let own = self.own_ray(&Ray { t_max, ..*ray });
-        if let PlacedForm::Triangle(triangle) = &self.form {
-            let (t, u, v) = triangle.intersect(&own)?;
-            let hit = Hit { t, object: self.id, prim: 0, u, v };
-            return box_ray.accepts(&self.bounds, t).then_some(hit);
-        }
-        let (t, prim) = self.first_crossing(&own, box_ray)?;
-        Some(Hit { t, object: self.id, prim, u: 0.0, v: 0.0 })
+impl<A> ObjectList<A> {
+    fn in_slots(&self, slots: Range<u32>) -> &[Placed<A>] {
+        &self.objects[slots.start as usize..slots.end as usize]
     }
+}
 
-    /// Whether this object has a hit on the ray.
-    #[inline]
-    pub(super) fn blocks<C: Counters>(
-        &self,
-        ray: &Ray,
-        box_ray: &BoxRay,
-        counters: &mut C,
-    ) -> bool {
-        if let PlacedForm::Mesh(mesh) = &self.form {
-            return mesh.blocked(&self.cut_own_ray(ray, box_ray, ray.t_max), counters);
-        }
-        counters.primitives(1);
-        let own = self.own_ray(ray);
-        if let PlacedForm::Triangle(triangle) = &self.form {
-            return triangle
-                .intersect(&own)
-                .is_some_and(|(t, ..)| box_ray.accepts(&self.bounds, t));
-        }
-        self.first_crossing(&own, box_ray).is_some()
-    }
-
-    /// The ray in the object's own space.
+impl<A> Placed<A> {
     #[inline(always)]
-    fn own_ray(&self, ray: &Ray) -> Ray {
-        match &self.to_object {
-            Some(to_object) => to_object.apply(ray),
-            None => *ray,
+    fn place(&self, padding: Padding) -> Place<'_> {
+        Place {
+            to_object: self.to_object.as_deref(),
+            bounds: &self.bounds,
+            padding,
+            object: self.id,
         }
-    }
-
-    /// The ray in the object's own space, cut to the interval of the object's box: what a mesh's
-    /// own structure is asked.
-    ///
-    /// The interval may be empty; then nothing counts, but the structure is asked all the same:
-    /// what to skip is a structure's to decide.
-    #[inline(always)]
-    pub(super) fn cut_own_ray(&self, ray: &Ray, box_ray: &BoxRay, t_max: f32) -> Ray {
-        let (near, far) = box_ray.interval(&self.bounds);
-        self.own_ray(&Ray { t_min: ray.t_min.max(near), t_max: far.min(t_max), ..*ray })
-    }
-
-    /// The first of the two crossings of a closed shape that lies in the interval of the ray and
-    /// of the object's box, and the part of the shape that is crossed.
-    #[inline(always)]
-    fn first_crossing(&self, own: &Ray, box_ray: &BoxRay) -> Option<(f32, u32)> {
-        let crossings = match &self.form {
-            PlacedForm::Ball(ball) => {
-                let (enter, leave) = ball.crossing(own)?;
-                [(enter, 0), (leave, 0)]
-            }
-            PlacedForm::Cylinder => Cylinder::crossing(own)?,
-            PlacedForm::Triangle(_) | PlacedForm::Mesh(_) => return None,
-        };
-        crossings
-            .into_iter()
-            .find(|&(t, _)| own.t_min <= t && t <= own.t_max && box_ray.accepts(&self.bounds, t))
     }
 }

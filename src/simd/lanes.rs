@@ -3,19 +3,26 @@
 //! Every operation here rounds each lane exactly as the scalar operation does, and none fuses a
 //! product with a sum, so a formula written over [`Lanes`] gives the same bits for any width.
 
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 use glam::Vec4;
 
 /// A row of floats that are computed with together.
 pub trait Lanes:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + std::fmt::Debug
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + std::fmt::Debug
 {
     /// Absolute values.
     fn abs(self) -> Self;
     /// 1 where the sign bit is clear, −1 where it is set, NaN for NaN. A product with it changes
     /// signs and nothing else.
     fn signum(self) -> Self;
+    /// Square roots, rounded correctly; NaN of what is negative.
+    fn sqrt(self) -> Self;
 }
 
 impl Lanes for f32 {
@@ -27,6 +34,10 @@ impl Lanes for f32 {
     fn signum(self) -> Self {
         f32::signum(self)
     }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f32::sqrt(self)
+    }
 }
 
 impl Lanes for Vec4 {
@@ -37,6 +48,10 @@ impl Lanes for Vec4 {
     #[inline(always)]
     fn signum(self) -> Self {
         Vec4::signum(self)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Vec4::sqrt(self)
     }
 }
 
@@ -89,6 +104,8 @@ mod tests {
         for (i, x) in values.into_iter().enumerate() {
             assert_eq!(Lanes::signum(row)[i].to_bits(), Lanes::signum(x).to_bits());
             assert_eq!(Lanes::abs(row)[i].to_bits(), Lanes::abs(x).to_bits());
+            let root = Lanes::sqrt(Lanes::abs(row))[i];
+            assert_eq!(root.to_bits(), Lanes::sqrt(Lanes::abs(x)).to_bits());
         }
         assert!(Lanes::signum(Vec4::NAN).is_nan_mask().all() && Lanes::signum(f32::NAN).is_nan());
     }

@@ -49,6 +49,10 @@ impl<R: Lanes> Lanes for Pair<R> {
     fn signum(self) -> Self {
         Self(self.0.signum(), self.1.signum())
     }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt(), self.1.sqrt())
+    }
 }
 
 /// The masks of both halves, of which the lower has `HALF` lanes.

@@ -2,14 +2,17 @@
 //!
 //! The tree is obvhs's binary one with a primitive in each leaf, collapsed at the least cost
 //! (`collapse.rs`). Slices of rays go down it in packets where they are coherent (`packet.rs`) and
-//! in waves where they are not (`wave.rs`); a single ray is walked by [`Accel::traverse`], which is
-//! also the way of the rays that the kernels' terms cannot take.
+//! in waves where they are not (`wave.rs`); where primitives are not tested in packs, a stream of
+//! them is brought to each node and to each primitive that any of them meets (`stream.rs`). A single
+//! ray is walked by [`Accel::traverse`], which is also the way of the rays that the kernels' terms
+//! cannot take.
 
 mod answer;
 mod collapse;
 mod node;
 mod packet;
 mod slab_ray;
+mod stream;
 mod wave;
 
 use std::cell::Cell;
@@ -115,7 +118,9 @@ impl Accel for Bvh8 {
     ) {
         if let Some(search) = Search::new(self, primitives) {
             dispatch(Trace { search, rays, answers: hits, counters });
-        } else if !primitives.intersect_all(rays, hits, counters) {
+        } else if !self.nodes.is_empty() {
+            dispatch(stream::Trace { tree: self, primitives, rays, answers: hits, counters });
+        } else {
             closest_of_each(self, primitives, rays, hits, counters);
         }
     }
@@ -129,7 +134,9 @@ impl Accel for Bvh8 {
     ) {
         if let Some(search) = Search::new(self, primitives) {
             dispatch(Trace { search, rays, answers, counters });
-        } else if !primitives.occluded_all(rays, answers, counters) {
+        } else if !self.nodes.is_empty() {
+            dispatch(stream::Trace { tree: self, primitives, rays, answers, counters });
+        } else {
             blocked_of_each(self, primitives, rays, answers, counters);
         }
     }

@@ -126,12 +126,7 @@ impl Scratch {
 
 impl Slot {
     const VACANT: Self = Self {
-        slab: SlabRay {
-            inv_dir: glam::Vec3A::ZERO,
-            near: glam::Vec3A::ZERO,
-            far: glam::Vec3A::ZERO,
-            octant: 0,
-        },
+        slab: SlabRay::VACANT,
         origin: [0.0; 3],
         t_min: 0.0,
         dir: [0.0; 3],
