@@ -8,14 +8,14 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::Vec3A;
+use glam::{Vec3, Vec3A};
 
 use crate::accel::{Accel, Bounded, Indexed, NoPacks, Primitives};
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray, RayToObject};
 use crate::shapes::{Place, Single, TriangleSet};
 
-use super::{Form, Scene, mesh_stream};
+use super::{Form, Object, Scene, mesh_stream};
 
 /// Paddings grow with how much a transform amplifies rounding, up to this: beyond, an object is so
 /// nearly flat that its own hits are noise.
@@ -25,23 +25,29 @@ const LARGEST_AMPLIFICATION: f64 = 1e4;
 /// needed: objects are tested one by one.
 #[derive(Clone, Debug)]
 pub struct ObjectList<A> {
-    objects: Vec<Placed<A>>,
+    objects: Vec<Placed>,
+    to_object: Vec<RayToObject>,
+    singles: Vec<Single>,
+    meshes: Vec<Arc<Indexed<TriangleSet, A>>>,
     padding: Padding,
 }
 
-/// An object as a ray meets it.
-#[derive(Clone, Debug)]
-struct Placed<A> {
-    bounds: Aabb,
-    to_object: Option<Box<RayToObject>>,
-    form: PlacedForm<A>,
+/// An object as a ray meets it. Small: there may be millions.
+#[derive(Clone, Copy, Debug)]
+struct Placed {
+    /// The corners of its box in the world.
+    corners: [Vec3; 2],
+    /// Index into the list's transforms, or [`NONE`].
+    to_object: u32,
+    form: PlacedForm,
     id: u32,
 }
 
-#[derive(Clone, Debug)]
-enum PlacedForm<A> {
-    Single(Single),
-    Mesh(Arc<Indexed<TriangleSet, A>>),
+/// Indices into the list's shapes or meshes.
+#[derive(Clone, Copy, Debug)]
+enum PlacedForm {
+    Single(u32),
+    Mesh(u32),
 }
 
 impl<A: Accel> ObjectList<A> {
@@ -52,32 +58,42 @@ impl<A: Accel> ObjectList<A> {
     #[must_use]
     pub fn new(scene: &Scene, meshes: &[Arc<Indexed<TriangleSet, A>>]) -> Self {
         assert!(scene.objects.len() < NONE as usize, "fewer than 2^32 - 1 objects");
-        let amplification = scene
-            .objects
-            .iter()
-            .filter_map(|object| object.transform.as_ref())
-            .map(|transform| transform.amplification())
-            .fold(1.0, f64::max)
-            .min(LARGEST_AMPLIFICATION);
-        let place = |(id, object): (usize, &super::Object)| Placed {
-            bounds: object.bounds,
-            to_object: object.transform.as_ref().map(|t| Box::new(t.ray_to_object())),
-            form: match object.form {
-                Form::Ball(ball) => PlacedForm::Single(Single::Ball(ball)),
-                Form::Cylinder => PlacedForm::Single(Single::Cylinder),
-                Form::Triangle(triangle) => PlacedForm::Single(Single::Triangle(triangle)),
-                Form::Mesh { mesh, .. } => PlacedForm::Mesh(Arc::clone(&meshes[mesh])),
-            },
-            id: id as u32,
+        let mut list = Self {
+            objects: Vec::with_capacity(scene.objects.len()),
+            to_object: Vec::new(),
+            singles: Vec::new(),
+            meshes: meshes.to_vec(),
+            padding: Padding { largest: scene.bounds().largest_coordinate(), factor: 1.0 },
         };
-        Self {
-            objects: scene.objects.iter().enumerate().map(place).collect(),
-            padding: Padding {
-                largest: scene.bounds().largest_coordinate(),
-                factor: amplification as f32,
-            },
+        let mut amplification = 1.0;
+        for (id, object) in scene.objects.iter().enumerate() {
+            let transform = scene.transform_of(object);
+            if let Some(transform) = &transform {
+                amplification = transform.amplification().max(amplification);
+            }
+            list.place(id as u32, object, transform.map(|t| t.ray_to_object()));
         }
+        list.padding.factor = amplification.min(LARGEST_AMPLIFICATION) as f32;
+        list
     }
+
+    fn place(&mut self, id: u32, object: &Object, to_object: Option<RayToObject>) {
+        let mut single = |single| PlacedForm::Single(push(&mut self.singles, single));
+        let form = match object.form {
+            Form::Ball(ball) => single(Single::Ball(ball)),
+            Form::Cylinder => single(Single::Cylinder),
+            Form::Triangle(triangle) => single(Single::Triangle(triangle)),
+            Form::Mesh { mesh, .. } => PlacedForm::Mesh(mesh as u32),
+        };
+        let to_object = to_object.map_or(NONE, |to_object| push(&mut self.to_object, to_object));
+        self.objects.push(Placed { corners: object.corners, to_object, form, id });
+    }
+}
+
+/// Appends a value; returns its index.
+fn push<T>(values: &mut Vec<T>, value: T) -> u32 {
+    values.push(value);
+    (values.len() - 1) as u32
 }
 
 impl<A: Accel> Bounded for ObjectList<A> {
@@ -86,11 +102,11 @@ impl<A: Accel> Bounded for ObjectList<A> {
     }
 
     fn bounds(&self, index: u32) -> Aabb {
-        self.objects[index as usize].bounds
+        self.objects[index as usize].bounds()
     }
 
     fn mean_point(&self) -> Vec3A {
-        let sum = self.objects.iter().map(|object| object.bounds.center()).sum::<Vec3A>();
+        let sum = self.objects.iter().map(|object| object.bounds().center()).sum::<Vec3A>();
         sum / self.objects.len().max(1) as f32
     }
 }
@@ -106,9 +122,24 @@ impl<A: Accel> Primitives for ObjectList<A> {
         self.padding
     }
 
+    /// What the objects refer to comes into the order of the objects, too.
     fn reorder(&mut self, order: &[u32]) {
-        let mut old: Vec<_> = std::mem::take(&mut self.objects).into_iter().map(Some).collect();
-        self.objects = order.iter().filter_map(|&from| old[from as usize].take()).collect();
+        let (to_object, singles) =
+            (std::mem::take(&mut self.to_object), std::mem::take(&mut self.singles));
+        let mut objects = Vec::with_capacity(self.objects.len());
+        self.to_object.reserve_exact(to_object.len());
+        self.singles.reserve_exact(singles.len());
+        for &from in order.iter().filter(|&&from| from != NONE) {
+            let mut object = self.objects[from as usize];
+            if let Some(&transform) = to_object.get(object.to_object as usize) {
+                object.to_object = push(&mut self.to_object, transform);
+            }
+            if let PlacedForm::Single(single) = &mut object.form {
+                *single = push(&mut self.singles, singles[*single as usize]);
+            }
+            objects.push(object);
+        }
+        self.objects = objects;
     }
 
     #[inline]
@@ -121,15 +152,15 @@ impl<A: Accel> Primitives for ObjectList<A> {
         counters: &mut C,
     ) {
         for object in self.in_slots(slots) {
-            let place = object.place(self.padding);
-            let hit = match &object.form {
+            let place = self.place_of(object);
+            let hit = match object.form {
                 PlacedForm::Single(single) => {
                     counters.primitives(1);
-                    single.closest(&place, &Ray { t_max: best.t, ..*ray }, box_ray)
+                    self.single(single).closest(&place, &Ray { t_max: best.t, ..*ray }, box_ray)
                 }
                 PlacedForm::Mesh(mesh) => {
                     let own = place.own_part(ray, box_ray, best.t);
-                    let hit = mesh.closest(&own, counters);
+                    let hit = self.mesh(mesh).closest(&own, counters);
                     hit.is_hit().then_some(Hit { object: object.id, ..hit })
                 }
             };
@@ -148,15 +179,15 @@ impl<A: Accel> Primitives for ObjectList<A> {
         counters: &mut C,
     ) -> bool {
         self.in_slots(slots).iter().any(|object| {
-            let place = object.place(self.padding);
-            match &object.form {
+            let place = self.place_of(object);
+            match object.form {
                 PlacedForm::Single(single) => {
                     counters.primitives(1);
-                    single.closest(&place, ray, box_ray).is_some()
+                    self.single(single).closest(&place, ray, box_ray).is_some()
                 }
                 PlacedForm::Mesh(mesh) => {
                     let own = place.own_part(ray, box_ray, ray.t_max);
-                    mesh.blocked(&own, counters)
+                    self.mesh(mesh).blocked(&own, counters)
                 }
             }
         })
@@ -171,14 +202,14 @@ impl<A: Accel> Primitives for ObjectList<A> {
         counters: &mut C,
     ) {
         for object in self.in_slots(slots) {
-            let place = object.place(self.padding);
-            match &object.form {
+            let place = self.place_of(object);
+            match object.form {
                 PlacedForm::Single(single) => {
                     counters.primitives(which.len() as u32);
-                    single.closest_of_many(&place, rays, which, best);
+                    self.single(single).closest_of_many(&place, rays, which, best);
                 }
                 PlacedForm::Mesh(mesh) => {
-                    mesh_stream::closest(mesh, &place, rays, which, best, counters);
+                    mesh_stream::closest(self.mesh(mesh), &place, rays, which, best, counters);
                 }
             }
         }
@@ -193,14 +224,14 @@ impl<A: Accel> Primitives for ObjectList<A> {
         counters: &mut C,
     ) {
         for object in self.in_slots(slots) {
-            let place = object.place(self.padding);
-            match &object.form {
+            let place = self.place_of(object);
+            match object.form {
                 PlacedForm::Single(single) => {
                     counters.primitives(which.len() as u32);
-                    single.blocked_of_many(&place, rays, which, blocked);
+                    self.single(single).blocked_of_many(&place, rays, which, blocked);
                 }
                 PlacedForm::Mesh(mesh) => {
-                    mesh_stream::blocked(mesh, &place, rays, which, blocked, counters);
+                    mesh_stream::blocked(self.mesh(mesh), &place, rays, which, blocked, counters);
                 }
             }
         }
@@ -208,19 +239,36 @@ impl<A: Accel> Primitives for ObjectList<A> {
 }
 
 impl<A> ObjectList<A> {
-    fn in_slots(&self, slots: Range<u32>) -> &[Placed<A>] {
+    #[inline(always)]
+    fn in_slots(&self, slots: Range<u32>) -> &[Placed] {
         &self.objects[slots.start as usize..slots.end as usize]
+    }
+
+    #[inline(always)]
+    fn place_of(&self, object: &Placed) -> Place<'_> {
+        Place {
+            to_object: self.to_object.get(object.to_object as usize),
+            bounds: object.bounds(),
+            padding: self.padding,
+            object: object.id,
+        }
+    }
+
+    #[inline(always)]
+    fn single(&self, index: u32) -> &Single {
+        &self.singles[index as usize]
+    }
+
+    #[inline(always)]
+    fn mesh(&self, index: u32) -> &Indexed<TriangleSet, A> {
+        &self.meshes[index as usize]
     }
 }
 
-impl<A> Placed<A> {
+impl Placed {
     #[inline(always)]
-    fn place(&self, padding: Padding) -> Place<'_> {
-        Place {
-            to_object: self.to_object.as_deref(),
-            bounds: &self.bounds,
-            padding,
-            object: self.id,
-        }
+    fn bounds(&self) -> Aabb {
+        let [min, max] = self.corners.map(Vec3A::from);
+        Aabb { min, max }
     }
 }

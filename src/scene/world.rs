@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use crate::accel::{Accel, BuildConfig, Indexed, StructureShape, Tracer};
 use crate::counters::Counts;
-use crate::math::{Hit, Ray};
+use crate::math::{Hit, NONE, Ray};
 use crate::shapes::{EndPointOverlap, OVERLAP_SAMPLES, TriangleSet, end_point_overlap};
 
 use super::{Form, Object, ObjectList, Scene};
@@ -64,7 +64,7 @@ impl<O: Accel, T: Accel> World<O, T> {
         let config = BuildConfig { max_leaf: 1, ..*config };
         let objects = Indexed::build(ObjectList::new(scene, &meshes), &config);
         let lone = match scene.objects[..] {
-            [Object { form: Form::Mesh { mesh, .. }, transform: None, .. }] => {
+            [Object { form: Form::Mesh { mesh, .. }, transform: NONE, .. }] => {
                 Some(Arc::clone(&meshes[mesh]))
             }
             _ => None,

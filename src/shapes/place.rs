@@ -11,7 +11,7 @@ pub struct Place<'a> {
     /// What takes rays to its own space, if that is not the world's.
     pub to_object: Option<&'a RayToObject>,
     /// Its box in the world: a hit counts only within the interval of it.
-    pub bounds: &'a Aabb,
+    pub bounds: Aabb,
     /// The padding of that box.
     pub padding: Padding,
     /// The object's id in its hits.
@@ -63,7 +63,7 @@ impl Place<'_> {
     #[inline(always)]
     #[must_use]
     pub fn own_part(&self, ray: &Ray, box_ray: &BoxRay, t_max: f32) -> Ray {
-        let (near, far) = box_ray.interval(self.bounds);
+        let (near, far) = box_ray.interval(&self.bounds);
         self.own_ray(&Ray { t_min: ray.t_min.max(near), t_max: far.min(t_max), ..*ray })
     }
 

@@ -33,10 +33,10 @@ impl Single {
             Self::Cylinder => Cylinder::crossing(&own)?,
             Self::Triangle(triangle) => {
                 let (t, u, v) = triangle.intersect(&own)?;
-                return box_ray.accepts(place.bounds, t).then(|| hit(t, 0, u, v));
+                return box_ray.accepts(&place.bounds, t).then(|| hit(t, 0, u, v));
             }
         };
-        let counts = |t| own.t_min <= t && t <= own.t_max && box_ray.accepts(place.bounds, t);
+        let counts = |t| own.t_min <= t && t <= own.t_max && box_ray.accepts(&place.bounds, t);
         let (t, prim) = crossings.into_iter().find(|&(t, _)| counts(t))?;
         Some(hit(t, prim, 0.0, 0.0))
     }

@@ -245,8 +245,7 @@ mod tests {
                 let bounds = transform.as_ref().map_or(own, |t| t.bounds_to_world(&own));
                 let to_object = transform.as_ref().map(Transform::ray_to_object);
                 let padding = Padding { factor: 4.0, ..Padding::of_bounds(&bounds) };
-                let place =
-                    Place { to_object: to_object.as_ref(), bounds: &bounds, padding, object: 9 };
+                let place = Place { to_object: to_object.as_ref(), bounds, padding, object: 9 };
                 compare(single, &place, &rays, index);
             }
         }
