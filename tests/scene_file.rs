@@ -167,6 +167,42 @@ fn round(scene: &mut SceneDescription) {
     }
 }
 
+/// The objects of a scene of which the text is given without camera and light.
+fn objects_of(text: &str) -> Vec<Object> {
+    let camera = "eyepos 0 -5 1\neyedir 0 1 0\neyeup 0 0 1\nwdist 1\nfovy_deg 40\nnx 4\nny 3\n";
+    let source = format!("sce1.0\n{camera}pointlight 0 0 5 1 1 1\n{text}");
+    let parsed = parse(&source, &ParseOptions::default())
+        .unwrap_or_else(|d| panic!("{}", render_diagnostics(&d, &source, "repeat.sce", false)));
+    assert_eq!(parsed.warnings, []);
+    parsed.description.objects
+}
+
+#[test]
+fn what_is_repeated_is_what_would_be_written_so_often() {
+    let repeated = objects_of(
+        "repeat 3\n translate 1 0 0\n repeat 2 # twice\n rotate 90 0 0 1\n {\n cr 1 0 0\n \
+         scale 2 2 2\n cylinder\n }\n end_repeat\n cr 0 1 0\nball 1 0 0 0\nend_repeat\n\
+         push_matrix\nrepeat 1\ntranslate 0 1 0\nend_repeat\npop_matrix\ncylinder\n",
+    );
+    let turn = "rotate 90 0 0 1\n{\ncr 1 0 0\nscale 2 2 2\ncylinder\n}\n".repeat(2);
+    let once = format!("translate 1 0 0\n{turn}cr 0 1 0\nball 1 0 0 0\n");
+    let written = objects_of(&format!("{}cylinder\n", once.repeat(3)));
+    let without_place = |objects: Vec<Object>| -> Vec<Object> {
+        objects.into_iter().map(|object| Object { span: 0..0, ..object }).collect()
+    };
+    assert_eq!(without_place(repeated), without_place(written));
+}
+
+#[test]
+fn a_million_objects_take_few_lines() {
+    let objects = objects_of(
+        "repeat 1000\npush_matrix\nrepeat 1000\ntranslate 1 0 0\nball .1 0 0 0\nend_repeat\n\
+         pop_matrix\ntranslate 0 1 0\nend_repeat\n",
+    );
+    assert_eq!(objects.len(), 1_000_000);
+    assert_eq!(objects[999_999].transform.translation, DVec3::new(1000.0, 999.0, 0.0));
+}
+
 #[test]
 fn options_left_out_have_their_defaults_and_the_end_may_lack() {
     let source = "sce1.0\neyepos 0 0 0\neyedir 0 1 0\neyeup 0 0 1\nwdist 1\nfovy_deg 40\nnx 6\nny 4\n\

@@ -240,15 +240,38 @@ pub trait Primitives: Bounded + Send + Sync {
         counters: &mut C,
     ) -> bool;
 
-    /// Finds the closest hits of all rays without a structure, if these are so few, and take slices
-    /// of rays so well, that this is the fastest; else does nothing and returns false.
-    fn intersect_all<C: Counters>(&self, _: &[Ray], _: &mut [Hit], _: &mut C) -> bool {
-        false
+    /// [`intersect`](Self::intersect) of those of a slice of rays whose places are in `which`, with
+    /// the best hit of each in `best`.
+    fn intersect_stream<C: Counters>(
+        &self,
+        slots: Range<u32>,
+        rays: &[Ray],
+        which: &[u32],
+        best: &mut [Hit],
+        counters: &mut C,
+    ) {
+        for &place in which {
+            let (ray, best) = (&rays[place as usize], &mut best[place as usize]);
+            let box_ray = BoxRay::new(ray, self.padding());
+            self.intersect(slots.clone(), ray, &box_ray, best, counters);
+        }
     }
 
-    /// As [`Primitives::intersect_all`]: whether each ray hits anything.
-    fn occluded_all<C: Counters>(&self, _: &[Ray], _: &mut [bool], _: &mut C) -> bool {
-        false
+    /// [`occluded`](Self::occluded) of those of a slice of rays whose places are in `which`, none of
+    /// them blocked so far; notes in `blocked` which are.
+    fn occluded_stream<C: Counters>(
+        &self,
+        slots: Range<u32>,
+        rays: &[Ray],
+        which: &[u32],
+        blocked: &mut [bool],
+        counters: &mut C,
+    ) {
+        for &place in which {
+            let ray = &rays[place as usize];
+            let box_ray = BoxRay::new(ray, self.padding());
+            blocked[place as usize] = self.occluded(slots.clone(), ray, &box_ray, counters);
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The affine map between an object's own space and the world's.
 
-use glam::{Affine3A, DAffine3, DMat3, DVec3, Mat3A, Vec3, Vec3A};
+use glam::{DAffine3, DMat3, DVec3, Vec3, Vec3A, Vec3Swizzles};
 use thiserror::Error;
 
 use super::{Aabb, Ray, UNIT_ROUNDOFF};
@@ -13,7 +13,7 @@ pub struct ConditionError {
     pub determinant: f64,
 }
 
-/// Object space to world space and back, with what normals and error bounds need.
+/// Object space to world space and back.
 ///
 /// Composed and inverted in `f64`; rays are carried in `f32` by the rounded inverse.
 #[derive(Clone, Copy, Debug)]
@@ -22,48 +22,54 @@ pub struct Transform {
     pub world_from_object: DAffine3,
     /// World points to object points.
     pub object_from_world: DAffine3,
-    /// The inverse transpose of the linear part: carries normals to the world.
-    pub normal_to_world: DMat3,
     ray_to_object: RayToObject,
-    amplification: f64,
 }
 
 impl Transform {
-    /// Prepares a transform.
+    /// Checks and prepares a transform.
     ///
     /// # Errors
     /// If the matrix is singular, or so nearly that its inverse is not finite in `f32`.
     pub fn new(world_from_object: DAffine3) -> Result<Self, ConditionError> {
         let determinant = world_from_object.matrix3.determinant();
-        let object_from_world = world_from_object.inverse();
-        let ray_to_object = RayToObject(rounded(&object_from_world));
-        if determinant == 0.0 || !determinant.is_finite() || !ray_to_object.0.is_finite() {
+        let transform = Self::of_invertible(world_from_object);
+        if determinant == 0.0 || !determinant.is_finite() || !transform.ray_to_object().is_finite()
+        {
             return Err(ConditionError { determinant });
         }
-        let forward = world_from_object.matrix3.abs();
-        let back = object_from_world.matrix3.abs();
-        let product = forward * back;
-        let amplification = (0..3).map(|i| product.row(i).element_sum()).fold(1.0, f64::max);
-        Ok(Self {
-            world_from_object,
-            object_from_world,
-            normal_to_world: object_from_world.matrix3.transpose(),
-            ray_to_object,
-            amplification,
-        })
+        Ok(transform)
+    }
+
+    /// The transform of a matrix that [`new`](Self::new) has taken before.
+    #[inline]
+    #[must_use]
+    pub fn of_invertible(world_from_object: DAffine3) -> Self {
+        let object_from_world = world_from_object.inverse();
+        let ray_to_object = RayToObject::rounded(&object_from_world);
+        Self { world_from_object, object_from_world, ray_to_object }
     }
 
     /// How much rounding a trip to object space and back may amplify: the largest row sum of
     /// |M|·|M⁻¹|, at least 1.
     #[must_use]
     pub fn amplification(&self) -> f64 {
-        self.amplification
+        let forward = self.world_from_object.matrix3.abs();
+        let product = forward * self.object_from_world.matrix3.abs();
+        (0..3).map(|i| product.row(i).element_sum()).fold(1.0, f64::max)
     }
 
     /// What carries rays to object space.
+    #[inline]
     #[must_use]
     pub fn ray_to_object(&self) -> RayToObject {
         self.ray_to_object
+    }
+
+    /// The inverse transpose of the linear part: carries normals to the world.
+    #[inline]
+    #[must_use]
+    pub fn normal_to_world(&self) -> DMat3 {
+        self.object_from_world.matrix3.transpose()
     }
 
     /// A box around the transformed box, rounded outwards.
@@ -93,28 +99,47 @@ impl Transform {
 
 /// Carries rays to an object's space: the only part of a [`Transform`] that a search needs.
 #[derive(Clone, Copy, Debug)]
-pub struct RayToObject(Affine3A);
+pub struct RayToObject {
+    /// The images of the axes.
+    axes: [Vec3; 3],
+    /// The image of the origin.
+    origin: Vec3,
+}
 
 impl RayToObject {
+    /// A matrix rounded to `f32`.
+    fn rounded(m: &DAffine3) -> Self {
+        let DMat3 { x_axis, y_axis, z_axis } = m.matrix3;
+        Self {
+            axes: [x_axis, y_axis, z_axis].map(|axis| axis.as_vec3()),
+            origin: m.translation.as_vec3(),
+        }
+    }
+
+    fn is_finite(&self) -> bool {
+        self.axes.iter().all(|axis| axis.is_finite()) && self.origin.is_finite()
+    }
+
     /// The ray in object space. Its direction is not renormalised, so `t` stays what it was.
     #[inline]
     #[must_use]
     pub fn apply(&self, ray: &Ray) -> Ray {
-        let origin = self.0.transform_point3a(Vec3A::from(ray.origin));
-        let dir = self.0.transform_vector3a(Vec3A::from(ray.dir));
-        Ray { origin: origin.into(), dir: dir.into(), ..*ray }
+        let [x, y, z] = self.axes.map(Vec3A::from);
+        let turned = |v: Vec3| {
+            let v = Vec3A::from(v);
+            v.xxx() * x + v.yyy() * y + v.zzz() * z
+        };
+        let origin = turned(ray.origin) + Vec3A::from(self.origin);
+        Ray { origin: origin.into(), dir: turned(ray.dir).into(), ..*ray }
     }
-}
 
-/// A matrix rounded to `f32`.
-fn rounded(m: &DAffine3) -> Affine3A {
-    Affine3A {
-        matrix3: Mat3A::from_cols(
-            m.matrix3.x_axis.as_vec3a(),
-            m.matrix3.y_axis.as_vec3a(),
-            m.matrix3.z_axis.as_vec3a(),
-        ),
-        translation: m.translation.as_vec3a(),
+    /// The images of the axes and of the origin: [`apply`](Self::apply) adds the products with a
+    /// point's coordinates up in this order.
+    #[inline]
+    #[must_use]
+    pub fn columns(&self) -> [[f32; 3]; 4] {
+        let [x, y, z] = self.axes;
+        [x, y, z, self.origin].map(|column| column.to_array())
     }
 }
 
@@ -160,7 +185,7 @@ mod tests {
         let m = DAffine3::from_scale(DVec3::new(4.0, 1.0, 1.0));
         let transform = Transform::new(m).unwrap();
         let tangent = m.transform_vector3(DVec3::new(1.0, -1.0, 0.0));
-        let normal = transform.normal_to_world * DVec3::new(1.0, 1.0, 0.0);
+        let normal = transform.normal_to_world() * DVec3::new(1.0, 1.0, 0.0);
         assert!(normal.dot(tangent).abs() < 1e-12);
     }
 

@@ -6,10 +6,10 @@ use glam::{DAffine3, DVec3, Vec3};
 
 use crate::assets::MeshData;
 use crate::description::{self, SceneDescription, Shape};
-use crate::math::{Aabb, Transform};
+use crate::math::{Aabb, NONE, Transform};
 use crate::shapes::{Ball, Cylinder, Triangle};
 
-use super::{Camera, Form, Light, Object, Scene, SceneError, range};
+use super::{Camera, Form, Light, Object, Scene, SceneError, Transforms, range};
 
 impl Scene {
     /// Compiles a description with its meshes, which stand in the order of
@@ -27,7 +27,8 @@ impl Scene {
         meshes: Vec<Arc<MeshData>>,
     ) -> Result<Self, Vec<SceneError>> {
         let mesh_bounds: Vec<Aabb> = meshes.iter().map(|mesh| stored_bounds(mesh)).collect();
-        let (objects, mut errors) = compile_objects(description, &mesh_bounds);
+        let Compiled { objects, transforms, mut errors } =
+            compile_objects(description, &mesh_bounds);
         errors.extend(lights_out_of_range(&description.lights));
         let camera = match Camera::new(&description.camera) {
             Ok(camera) if errors.is_empty() => camera,
@@ -44,6 +45,7 @@ impl Scene {
             objects,
             lights: description.lights.iter().map(Light::new).collect(),
             meshes,
+            transforms,
         })
     }
 }
@@ -57,32 +59,44 @@ fn stored_bounds(mesh: &MeshData) -> Aabb {
 }
 
 /// The objects that can be traced, and what is wrong with the others.
-fn compile_objects(
-    description: &SceneDescription,
-    mesh_bounds: &[Aabb],
-) -> (Vec<Object>, Vec<SceneError>) {
-    let compiled: Vec<_> = description
-        .objects
-        .iter()
-        .enumerate()
-        .map(|(id, object)| compile_object(id, object, mesh_bounds))
-        .collect();
-    let reach = reach(description, compiled.iter().flatten());
-    let (mut objects, mut errors) = (Vec::with_capacity(compiled.len()), Vec::new());
-    for (id, object) in compiled.into_iter().enumerate() {
-        match object {
-            Ok(object) if holds_in_own_space(&object, mesh_bounds, reach) => objects.push(object),
-            Ok(_) => errors.push(SceneError::OutOfRange { object: id }),
-            Err(error) => errors.push(error),
+#[derive(Default)]
+struct Compiled {
+    objects: Vec<Object>,
+    transforms: Transforms,
+    errors: Vec<SceneError>,
+}
+
+fn compile_objects(description: &SceneDescription, mesh_bounds: &[Aabb]) -> Compiled {
+    let count = description.objects.len();
+    let mut compiled = Compiled { objects: Vec::with_capacity(count), ..Compiled::default() };
+    // Those in error leave a gap in the ids of those that are not.
+    let mut ids = Vec::with_capacity(count);
+    let mut errors = Vec::new();
+    for (id, object) in description.objects.iter().enumerate() {
+        match compile_object(id, object, mesh_bounds, &mut compiled.transforms) {
+            Ok(object) => {
+                compiled.objects.push(object);
+                ids.push(id as u32);
+            }
+            Err(error) => errors.push((id, error)),
         }
     }
-    (objects, errors)
+    let reach = reach(description, &compiled.objects);
+    for (object, &id) in compiled.objects.iter().zip(&ids) {
+        if !holds_in_own_space(object, &compiled.transforms, mesh_bounds, reach) {
+            let object = id as usize;
+            errors.push((object, SceneError::OutOfRange { object }));
+        }
+    }
+    errors.sort_by_key(|&(id, _)| id);
+    compiled.errors = errors.into_iter().map(|(_, error)| error).collect();
+    compiled
 }
 
 /// How far from the world's origin rays start: the largest coordinate of the objects, the lights
 /// and the eye.
-fn reach<'a>(description: &SceneDescription, objects: impl Iterator<Item = &'a Object>) -> f64 {
-    let of_objects = objects.map(|object| f64::from(object.bounds.largest_coordinate()));
+fn reach(description: &SceneDescription, objects: &[Object]) -> f64 {
+    let of_objects = objects.iter().map(|object| f64::from(object.bounds().largest_coordinate()));
     let of_lights = description.lights.iter().flat_map(ends).map(|p| p.abs().max_element());
     let of_eye = description.camera.eye.abs().max_element();
     of_objects.chain(of_lights).fold(of_eye, f64::max).min(range::LARGEST)
@@ -103,9 +117,14 @@ fn lights_out_of_range(lights: &[description::Light]) -> impl Iterator<Item = Sc
     (0..lights.len()).filter(beyond).map(|light| SceneError::LightOutOfRange { light })
 }
 
-fn holds_in_own_space(object: &Object, mesh_bounds: &[Aabb], reach: f64) -> bool {
-    object.transform.as_ref().is_none_or(|transform| {
-        range::holds_in(transform, &own_bounds(&object.form, mesh_bounds), reach)
+fn holds_in_own_space(
+    object: &Object,
+    transforms: &Transforms,
+    mesh_bounds: &[Aabb],
+    reach: f64,
+) -> bool {
+    transforms.get(object.transform).is_none_or(|transform| {
+        range::holds_in(&transform, &own_bounds(&object.form, mesh_bounds), reach)
     })
 }
 
@@ -123,8 +142,9 @@ fn compile_object(
     id: usize,
     object: &description::Object,
     mesh_bounds: &[Aabb],
+    transforms: &mut Transforms,
 ) -> Result<Object, SceneError> {
-    let (form, transform) = match object.shape {
+    let (form, matrix) = match object.shape {
         Shape::Ball { radius, center } => ball_in_world(radius, center, &object.transform),
         Shape::Cylinder => (Form::Cylinder, object.transform),
         Shape::Triangle { corners } => {
@@ -132,13 +152,10 @@ fn compile_object(
         }
         Shape::Mesh { mesh, normals } => (Form::Mesh { mesh, normals }, object.transform),
     };
-    let transform = if transform == DAffine3::IDENTITY {
-        None
-    } else {
-        let transform = Transform::new(transform)
-            .map_err(|source| SceneError::Transform { object: id, source })?;
-        Some(Box::new(transform))
-    };
+    let transform = (matrix != DAffine3::IDENTITY)
+        .then(|| Transform::new(matrix))
+        .transpose()
+        .map_err(|source| SceneError::Transform { object: id, source })?;
     let own = own_bounds(&form, mesh_bounds);
     let bounds = transform.as_ref().map_or(own, |t| t.bounds_to_world(&own));
     // The box of a small ball far from the origin is larger than the ball: it is rounded outwards.
@@ -147,7 +164,9 @@ fn compile_object(
     if !large_enough || !range::holds_for(&bounds) {
         return Err(SceneError::OutOfRange { object: id });
     }
-    Ok(Object { form, transform, bounds, material: object.material })
+    let transform = transform.map_or(NONE, |transform| transforms.add(&transform));
+    let corners = [bounds.min, bounds.max].map(Vec3::from);
+    Ok(Object { form, transform, corners, material: object.material })
 }
 
 /// A ball whose transform keeps its form is traced where it is; any other becomes the unit ball

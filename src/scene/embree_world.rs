@@ -44,7 +44,8 @@ fn add(
     id: usize,
     object: &Object,
 ) -> Result<Result<(), EmbreeError>, BuildError> {
-    let to_world = |p: Vec3| match &object.transform {
+    let transform = scene.transform_of(object);
+    let to_world = |p: Vec3| match &transform {
         Some(transform) => transform.world_from_object.transform_point3(p.as_dvec3()).as_vec3(),
         None => p,
     };

@@ -10,19 +10,21 @@ mod compile;
 mod embree_world;
 mod error;
 mod lights;
+mod mesh_stream;
 mod object;
 mod object_list;
-mod object_slices;
 mod range;
 mod structures;
 mod surface;
+mod transforms;
 mod world;
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::assets::MeshData;
 use crate::description::{Material, Options};
-use crate::math::Aabb;
+use crate::math::{Aabb, Transform};
 
 pub use crate::shapes::EndPointOverlap;
 
@@ -33,6 +35,7 @@ pub use object::{Form, Object};
 pub use object_list::ObjectList;
 pub use structures::{STRUCTURES, Structure, YARDSTICKS, structure_named};
 pub use surface::Surface;
+use transforms::Transforms;
 pub use world::{BuildReport, TracedWorld, World};
 
 /// A scene, compiled: plain data in the world's space, ready to be indexed and traced.
@@ -49,19 +52,27 @@ pub struct Scene {
     /// What gives light.
     pub lights: Vec<Light>,
     meshes: Vec<Arc<MeshData>>,
+    transforms: Transforms,
 }
 
 impl Scene {
     /// The box around all objects; empty if there are none.
     #[must_use]
     pub fn bounds(&self) -> Aabb {
-        self.objects.iter().map(|object| object.bounds).fold(Aabb::EMPTY, Aabb::union)
+        self.objects.iter().map(|object| object.bounds()).fold(Aabb::EMPTY, Aabb::union)
     }
 
     /// The meshes, as objects refer to them.
     #[must_use]
     pub fn meshes(&self) -> &[Arc<MeshData>] {
         &self.meshes
+    }
+
+    /// What takes an object to the world, if its own space is another.
+    #[inline]
+    #[must_use]
+    pub fn transform_of(&self, object: &Object) -> Option<Cow<'_, Transform>> {
+        self.transforms.get(object.transform)
     }
 
     /// How many triangles there are, a mesh counted for each object that is made of it.

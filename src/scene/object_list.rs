@@ -8,14 +8,14 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::Vec3A;
+use glam::{Vec3, Vec3A};
 
 use crate::accel::{Accel, Bounded, Indexed, NoPacks, Primitives};
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray, RayToObject};
-use crate::shapes::{Ball, Cylinder, Triangle, TriangleSet};
+use crate::shapes::{Place, Single, TriangleSet};
 
-use super::{Form, Scene, object_slices};
+use super::{Form, Object, Scene, mesh_stream};
 
 /// Paddings grow with how much a transform amplifies rounding, up to this: beyond, an object is so
 /// nearly flat that its own hits are noise.
@@ -25,25 +25,29 @@ const LARGEST_AMPLIFICATION: f64 = 1e4;
 /// needed: objects are tested one by one.
 #[derive(Clone, Debug)]
 pub struct ObjectList<A> {
-    pub(super) objects: Vec<Placed<A>>,
+    objects: Vec<Placed>,
+    to_object: Vec<RayToObject>,
+    singles: Vec<Single>,
+    meshes: Vec<Arc<Indexed<TriangleSet, A>>>,
     padding: Padding,
 }
 
-/// An object as a ray meets it.
-#[derive(Clone, Debug)]
-pub(super) struct Placed<A> {
-    bounds: Aabb,
-    pub(super) to_object: Option<Box<RayToObject>>,
-    pub(super) form: PlacedForm<A>,
-    pub(super) id: u32,
+/// An object as a ray meets it. Small: there may be millions.
+#[derive(Clone, Copy, Debug)]
+struct Placed {
+    /// The corners of its box in the world.
+    corners: [Vec3; 2],
+    /// Index into the list's transforms, or [`NONE`].
+    to_object: u32,
+    form: PlacedForm,
+    id: u32,
 }
 
-#[derive(Clone, Debug)]
-pub(super) enum PlacedForm<A> {
-    Ball(Ball),
-    Cylinder,
-    Triangle(Triangle),
-    Mesh(Arc<Indexed<TriangleSet, A>>),
+/// Indices into the list's shapes or meshes.
+#[derive(Clone, Copy, Debug)]
+enum PlacedForm {
+    Single(u32),
+    Mesh(u32),
 }
 
 impl<A: Accel> ObjectList<A> {
@@ -54,32 +58,42 @@ impl<A: Accel> ObjectList<A> {
     #[must_use]
     pub fn new(scene: &Scene, meshes: &[Arc<Indexed<TriangleSet, A>>]) -> Self {
         assert!(scene.objects.len() < NONE as usize, "fewer than 2^32 - 1 objects");
-        let amplification = scene
-            .objects
-            .iter()
-            .filter_map(|object| object.transform.as_ref())
-            .map(|transform| transform.amplification())
-            .fold(1.0, f64::max)
-            .min(LARGEST_AMPLIFICATION);
-        let place = |(id, object): (usize, &super::Object)| Placed {
-            bounds: object.bounds,
-            to_object: object.transform.as_ref().map(|t| Box::new(t.ray_to_object())),
-            form: match object.form {
-                Form::Ball(ball) => PlacedForm::Ball(ball),
-                Form::Cylinder => PlacedForm::Cylinder,
-                Form::Triangle(triangle) => PlacedForm::Triangle(triangle),
-                Form::Mesh { mesh, .. } => PlacedForm::Mesh(Arc::clone(&meshes[mesh])),
-            },
-            id: id as u32,
+        let mut list = Self {
+            objects: Vec::with_capacity(scene.objects.len()),
+            to_object: Vec::new(),
+            singles: Vec::new(),
+            meshes: meshes.to_vec(),
+            padding: Padding { largest: scene.bounds().largest_coordinate(), factor: 1.0 },
         };
-        Self {
-            objects: scene.objects.iter().enumerate().map(place).collect(),
-            padding: Padding {
-                largest: scene.bounds().largest_coordinate(),
-                factor: amplification as f32,
-            },
+        let mut amplification = 1.0;
+        for (id, object) in scene.objects.iter().enumerate() {
+            let transform = scene.transform_of(object);
+            if let Some(transform) = &transform {
+                amplification = transform.amplification().max(amplification);
+            }
+            list.place(id as u32, object, transform.map(|t| t.ray_to_object()));
         }
+        list.padding.factor = amplification.min(LARGEST_AMPLIFICATION) as f32;
+        list
     }
+
+    fn place(&mut self, id: u32, object: &Object, to_object: Option<RayToObject>) {
+        let mut single = |single| PlacedForm::Single(push(&mut self.singles, single));
+        let form = match object.form {
+            Form::Ball(ball) => single(Single::Ball(ball)),
+            Form::Cylinder => single(Single::Cylinder),
+            Form::Triangle(triangle) => single(Single::Triangle(triangle)),
+            Form::Mesh { mesh, .. } => PlacedForm::Mesh(mesh as u32),
+        };
+        let to_object = to_object.map_or(NONE, |to_object| push(&mut self.to_object, to_object));
+        self.objects.push(Placed { corners: object.corners, to_object, form, id });
+    }
+}
+
+/// Appends a value; returns its index.
+fn push<T>(values: &mut Vec<T>, value: T) -> u32 {
+    values.push(value);
+    (values.len() - 1) as u32
 }
 
 impl<A: Accel> Bounded for ObjectList<A> {
@@ -88,11 +102,11 @@ impl<A: Accel> Bounded for ObjectList<A> {
     }
 
     fn bounds(&self, index: u32) -> Aabb {
-        self.objects[index as usize].bounds
+        self.objects[index as usize].bounds()
     }
 
     fn mean_point(&self) -> Vec3A {
-        let sum = self.objects.iter().map(|object| object.bounds.center()).sum::<Vec3A>();
+        let sum = self.objects.iter().map(|object| object.bounds().center()).sum::<Vec3A>();
         sum / self.objects.len().max(1) as f32
     }
 }
@@ -108,9 +122,24 @@ impl<A: Accel> Primitives for ObjectList<A> {
         self.padding
     }
 
+    /// What the objects refer to comes into the order of the objects, too.
     fn reorder(&mut self, order: &[u32]) {
-        let mut old: Vec<_> = std::mem::take(&mut self.objects).into_iter().map(Some).collect();
-        self.objects = order.iter().filter_map(|&from| old[from as usize].take()).collect();
+        let (to_object, singles) =
+            (std::mem::take(&mut self.to_object), std::mem::take(&mut self.singles));
+        let mut objects = Vec::with_capacity(self.objects.len());
+        self.to_object.reserve_exact(to_object.len());
+        self.singles.reserve_exact(singles.len());
+        for &from in order.iter().filter(|&&from| from != NONE) {
+            let mut object = self.objects[from as usize];
+            if let Some(&transform) = to_object.get(object.to_object as usize) {
+                object.to_object = push(&mut self.to_object, transform);
+            }
+            if let PlacedForm::Single(single) = &mut object.form {
+                *single = push(&mut self.singles, singles[*single as usize]);
+            }
+            objects.push(object);
+        }
+        self.objects = objects;
     }
 
     #[inline]
@@ -122,10 +151,20 @@ impl<A: Accel> Primitives for ObjectList<A> {
         best: &mut Hit,
         counters: &mut C,
     ) {
-        for object in &self.objects[slots.start as usize..slots.end as usize] {
-            if let Some(hit) = object.closest(ray, box_ray, best.t, counters)
-                && hit.precedes(best)
-            {
+        for object in self.in_slots(slots) {
+            let place = self.place_of(object);
+            let hit = match object.form {
+                PlacedForm::Single(single) => {
+                    counters.primitives(1);
+                    self.single(single).closest(&place, &Ray { t_max: best.t, ..*ray }, box_ray)
+                }
+                PlacedForm::Mesh(mesh) => {
+                    let own = place.own_part(ray, box_ray, best.t);
+                    let hit = self.mesh(mesh).closest(&own, counters);
+                    hit.is_hit().then_some(Hit { object: object.id, ..hit })
+                }
+            };
+            if let Some(hit) = hit.filter(|hit| hit.precedes(best)) {
                 *best = hit;
             }
         }
@@ -139,113 +178,97 @@ impl<A: Accel> Primitives for ObjectList<A> {
         box_ray: &BoxRay,
         counters: &mut C,
     ) -> bool {
-        self.objects[slots.start as usize..slots.end as usize]
-            .iter()
-            .any(|object| object.blocks(ray, box_ray, counters))
+        self.in_slots(slots).iter().any(|object| {
+            let place = self.place_of(object);
+            match object.form {
+                PlacedForm::Single(single) => {
+                    counters.primitives(1);
+                    self.single(single).closest(&place, ray, box_ray).is_some()
+                }
+                PlacedForm::Mesh(mesh) => {
+                    let own = place.own_part(ray, box_ray, ray.t_max);
+                    self.mesh(mesh).blocked(&own, counters)
+                }
+            }
+        })
     }
 
-    fn intersect_all<C: Counters>(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut C) -> bool {
-        let few = object_slices::suits(self);
-        if few {
-            object_slices::closest(self, rays, hits, counters);
-        }
-        few
-    }
-
-    fn occluded_all<C: Counters>(
+    fn intersect_stream<C: Counters>(
         &self,
+        slots: Range<u32>,
         rays: &[Ray],
-        answers: &mut [bool],
+        which: &[u32],
+        best: &mut [Hit],
         counters: &mut C,
-    ) -> bool {
-        let few = object_slices::suits(self);
-        if few {
-            object_slices::blocked(self, rays, answers, counters);
+    ) {
+        for object in self.in_slots(slots) {
+            let place = self.place_of(object);
+            match object.form {
+                PlacedForm::Single(single) => {
+                    counters.primitives(which.len() as u32);
+                    self.single(single).closest_of_many(&place, rays, which, best);
+                }
+                PlacedForm::Mesh(mesh) => {
+                    mesh_stream::closest(self.mesh(mesh), &place, rays, which, best, counters);
+                }
+            }
         }
-        few
+    }
+
+    fn occluded_stream<C: Counters>(
+        &self,
+        slots: Range<u32>,
+        rays: &[Ray],
+        which: &[u32],
+        blocked: &mut [bool],
+        counters: &mut C,
+    ) {
+        for object in self.in_slots(slots) {
+            let place = self.place_of(object);
+            match object.form {
+                PlacedForm::Single(single) => {
+                    counters.primitives(which.len() as u32);
+                    self.single(single).blocked_of_many(&place, rays, which, blocked);
+                }
+                PlacedForm::Mesh(mesh) => {
+                    mesh_stream::blocked(self.mesh(mesh), &place, rays, which, blocked, counters);
+                }
+            }
+        }
     }
 }
 
-impl<A: Accel> Placed<A> {
-    /// The first hit on this object up to `t_max`.
-    #[inline]
-    pub(super) fn closest<C: Counters>(
-        &self,
-        ray: &Ray,
-        box_ray: &BoxRay,
-        t_max: f32,
-        counters: &mut C,
-    ) -> Option<Hit> {
-        if let PlacedForm::Mesh(mesh) = &self.form {
-            let hit = mesh.closest(&self.cut_own_ray(ray, box_ray, t_max), counters);
-            return hit.is_hit().then_some(Hit { object: self.id, ..hit });
-        }
-        counters.primitives(1);
-        let own = self.own_ray(&Ray { t_max, ..*ray });
-        if let PlacedForm::Triangle(triangle) = &self.form {
-            let (t, u, v) = triangle.intersect(&own)?;
-            let hit = Hit { t, object: self.id, prim: 0, u, v };
-            return box_ray.accepts(&self.bounds, t).then_some(hit);
-        }
-        let (t, prim) = self.first_crossing(&own, box_ray)?;
-        Some(Hit { t, object: self.id, prim, u: 0.0, v: 0.0 })
-    }
-
-    /// Whether this object has a hit on the ray.
-    #[inline]
-    pub(super) fn blocks<C: Counters>(
-        &self,
-        ray: &Ray,
-        box_ray: &BoxRay,
-        counters: &mut C,
-    ) -> bool {
-        if let PlacedForm::Mesh(mesh) = &self.form {
-            return mesh.blocked(&self.cut_own_ray(ray, box_ray, ray.t_max), counters);
-        }
-        counters.primitives(1);
-        let own = self.own_ray(ray);
-        if let PlacedForm::Triangle(triangle) = &self.form {
-            return triangle
-                .intersect(&own)
-                .is_some_and(|(t, ..)| box_ray.accepts(&self.bounds, t));
-        }
-        self.first_crossing(&own, box_ray).is_some()
-    }
-
-    /// The ray in the object's own space.
+impl<A> ObjectList<A> {
     #[inline(always)]
-    fn own_ray(&self, ray: &Ray) -> Ray {
-        match &self.to_object {
-            Some(to_object) => to_object.apply(ray),
-            None => *ray,
+    fn in_slots(&self, slots: Range<u32>) -> &[Placed] {
+        &self.objects[slots.start as usize..slots.end as usize]
+    }
+
+    #[inline(always)]
+    fn place_of(&self, object: &Placed) -> Place<'_> {
+        Place {
+            to_object: self.to_object.get(object.to_object as usize),
+            bounds: object.bounds(),
+            padding: self.padding,
+            object: object.id,
         }
     }
 
-    /// The ray in the object's own space, cut to the interval of the object's box: what a mesh's
-    /// own structure is asked.
-    ///
-    /// The interval may be empty; then nothing counts, but the structure is asked all the same:
-    /// what to skip is a structure's to decide.
     #[inline(always)]
-    pub(super) fn cut_own_ray(&self, ray: &Ray, box_ray: &BoxRay, t_max: f32) -> Ray {
-        let (near, far) = box_ray.interval(&self.bounds);
-        self.own_ray(&Ray { t_min: ray.t_min.max(near), t_max: far.min(t_max), ..*ray })
+    fn single(&self, index: u32) -> &Single {
+        &self.singles[index as usize]
     }
 
-    /// The first of the two crossings of a closed shape that lies in the interval of the ray and
-    /// of the object's box, and the part of the shape that is crossed.
     #[inline(always)]
-    fn first_crossing(&self, own: &Ray, box_ray: &BoxRay) -> Option<(f32, u32)> {
-        let crossings = match &self.form {
-            PlacedForm::Ball(ball) => {
-                let (enter, leave) = ball.crossing(own)?;
-                [(enter, 0), (leave, 0)]
-            }
-            PlacedForm::Cylinder => Cylinder::crossing(own)?,
-            PlacedForm::Triangle(_) | PlacedForm::Mesh(_) => return None,
-        };
-        crossings
-            .into_iter()
-            .find(|&(t, _)| own.t_min <= t && t <= own.t_max && box_ray.accepts(&self.bounds, t))
+    fn mesh(&self, index: u32) -> &Indexed<TriangleSet, A> {
+        &self.meshes[index as usize]
+    }
+}
+
+impl Placed {
+    #[inline(always)]
+    fn bounds(&self) -> Aabb {
+        let [min, max] = self.corners.map(Vec3A::from);
+        Aabb { min, max }
     }
 }

@@ -5,16 +5,20 @@ use std::time::{Duration, Instant};
 
 use crate::accel::{Accel, BuildConfig, BuildStages, Indexed, StructureShape, Tracer};
 use crate::counters::Counts;
-use crate::math::{Hit, Ray};
+use crate::math::{Hit, NONE, Ray};
 use crate::shapes::{EndPointOverlap, OVERLAP_SAMPLES, TriangleSet, end_point_overlap};
 
-use super::{ObjectList, Scene};
+use super::{Form, Object, ObjectList, Scene};
 
 /// A scene indexed by `O` over its objects and by `T` over the triangles of each mesh.
 #[derive(Clone, Debug)]
 pub struct World<O, T> {
     objects: Indexed<ObjectList<T>, O>,
     meshes: Vec<Arc<Indexed<TriangleSet, T>>>,
+    /// The mesh that is all there is, in the world's own space: it is asked itself. Its hits need no
+    /// look at the object's box, which holds the boxes of all triangles and is tested with no less
+    /// padding.
+    lone: Option<Arc<Indexed<TriangleSet, T>>>,
     build_time: Duration,
     stages: BuildStages,
 }
@@ -68,17 +72,29 @@ impl<O: Accel, T: Accel> World<O, T> {
         let config = BuildConfig { max_leaf: 1, ..*config };
         let objects =
             stages.time("objects", || Indexed::build(ObjectList::new(scene, &meshes), &config));
-        Self { objects, meshes, build_time: start.elapsed(), stages }
+        let lone = match scene.objects[..] {
+            [Object { form: Form::Mesh { mesh, .. }, transform: NONE, .. }] => {
+                Some(Arc::clone(&meshes[mesh]))
+            }
+            _ => None,
+        };
+        Self { objects, meshes, lone, build_time: start.elapsed(), stages }
     }
 }
 
 impl<O: Accel, T: Accel> Tracer for World<O, T> {
     fn intersect(&self, rays: &[Ray], hits: &mut [Hit], counts: Option<&mut Counts>) {
-        self.objects.intersect(rays, hits, counts);
+        match &self.lone {
+            Some(mesh) => mesh.intersect(rays, hits, counts),
+            None => self.objects.intersect(rays, hits, counts),
+        }
     }
 
     fn occluded(&self, rays: &[Ray], blocked: &mut [bool], counts: Option<&mut Counts>) {
-        self.objects.occluded(rays, blocked, counts);
+        match &self.lone {
+            Some(mesh) => mesh.occluded(rays, blocked, counts),
+            None => self.objects.occluded(rays, blocked, counts),
+        }
     }
 }
 

@@ -72,6 +72,16 @@ impl Builder {
         self.objects.push(Object { shape, transform, material, span });
     }
 
+    /// Makes room for objects that are known to come.
+    pub(super) fn reserve_objects(&mut self, count: usize) {
+        self.objects.reserve(count);
+    }
+
+    /// How many objects and lights there are.
+    pub(super) fn entity_count(&self) -> usize {
+        self.objects.len() + self.lights.len()
+    }
+
     /// The index of the material in force, new or not.
     fn material_id(&mut self) -> usize {
         let material = self.state.material;

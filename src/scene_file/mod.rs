@@ -43,6 +43,7 @@ mod header;
 mod lexer;
 mod parser;
 mod render;
+mod repeat;
 mod scopes;
 mod state;
 mod suggest;

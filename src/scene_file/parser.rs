@@ -10,6 +10,7 @@ use super::command::Command;
 use super::diagnostic::{Diagnostic, quoted};
 use super::header::{self, Verdict};
 use super::lexer::{self, Word};
+use super::repeat::Recorder;
 use super::suggest::{did_you_mean, list_of_commands};
 use super::text::{Line, lines};
 use super::values;
@@ -20,8 +21,12 @@ pub(super) fn read(
     source: &str,
     options: &ParseOptions,
 ) -> (Option<SceneDescription>, Vec<Diagnostic>) {
-    let mut parser =
-        Parser { builder: Builder::new(), lenient: options.lenient, commands_listed: false };
+    let mut parser = Parser {
+        builder: Builder::new(),
+        recorder: Recorder::default(),
+        lenient: options.lenient,
+        commands_listed: false,
+    };
     let header = header::check(source);
     parser.builder.diagnostics.extend(header.diagnostic);
     if header.verdict == Verdict::NoScene {
@@ -38,6 +43,7 @@ pub(super) fn read(
         }
     }
     let end = parser.builder.end.take().unwrap_or_else(|| end_of(source));
+    parser.recorder.report_unclosed(&mut parser.builder, &end);
     parser.builder.finish(end)
 }
 
@@ -47,15 +53,16 @@ fn end_of(source: &str) -> Span {
     end..end
 }
 
-struct Parser {
+struct Parser<'s> {
     builder: Builder,
+    recorder: Recorder<'s>,
     lenient: bool,
     /// The list of all commands is help for one error; it would be noise in every one.
     commands_listed: bool,
 }
 
-impl Parser {
-    fn line(&mut self, line: Line<'_>) {
+impl<'s> Parser<'s> {
+    fn line(&mut self, line: Line<'s>) {
         let Some((keyword, rest)) = lexer::keyword(line) else { return };
         match table::find(keyword.text) {
             Some(command) => self.command(command, keyword, rest),
@@ -63,11 +70,11 @@ impl Parser {
         }
     }
 
-    fn command(&mut self, command: &'static Command, keyword: Word<'_>, rest: Line<'_>) {
+    fn command(&mut self, command: &'static Command, keyword: Word<'s>, rest: Line<'s>) {
         self.builder.seen.insert(command.keyword);
         let words = if command.takes_name() { lexer::names(rest) } else { lexer::values(rest) };
         match values::read(command, keyword, &words) {
-            Ok(values) => (command.apply)(&mut self.builder, &values),
+            Ok(values) => self.recorder.act(&mut self.builder, command, values),
             Err(wrong) => {
                 self.builder.diagnostics.extend(wrong);
                 self.recover(command, keyword, &words);
@@ -76,10 +83,8 @@ impl Parser {
     }
 
     /// Opens and closes what an erroneous line opens and closes.
-    fn recover(&mut self, command: &'static Command, keyword: Word<'_>, words: &[Word<'_>]) {
-        if command.values.is_empty() {
-            self.act_without_values(command, keyword);
-        }
+    fn recover(&mut self, command: &'static Command, keyword: Word<'s>, words: &[Word<'s>]) {
+        self.open_or_close(command, keyword);
         for word in words.iter().skip(command.values.len()) {
             if let Some(brace) = table::find(word.text).filter(|c| matches!(c.keyword, "{" | "}")) {
                 self.act_without_values(brace, *word);
@@ -87,7 +92,7 @@ impl Parser {
         }
     }
 
-    fn unknown(&mut self, keyword: Word<'_>) {
+    fn unknown(&mut self, keyword: Word<'s>) {
         let meant = did_you_mean(keyword.text);
         let question = meant.map(|c| format!(", did you mean `{}`?", c.keyword));
         let message =
@@ -106,15 +111,22 @@ impl Parser {
         self.builder.report(diagnostic);
         if let Some(command) = meant.filter(|_| !self.lenient) {
             self.builder.seen.insert(command.keyword);
-            if command.values.is_empty() {
-                self.act_without_values(command, keyword);
-            }
+            self.open_or_close(command, keyword);
         }
     }
 
-    fn act_without_values(&mut self, command: &'static Command, word: Word<'_>) {
+    /// Acts as a command that may open or close something, though its line is wrong.
+    fn open_or_close(&mut self, command: &'static Command, keyword: Word<'s>) {
+        if command.keyword == "repeat" {
+            self.recorder.begin(keyword.span(), 1);
+        } else if command.values.is_empty() {
+            self.act_without_values(command, keyword);
+        }
+    }
+
+    fn act_without_values(&mut self, command: &'static Command, word: Word<'s>) {
         if let Ok(values) = values::read(command, word, &[]) {
-            (command.apply)(&mut self.builder, &values);
+            self.recorder.act(&mut self.builder, command, values);
         }
     }
 }

@@ -1,7 +1,8 @@
 //! What is open: `{` saves material and transform, `push_matrix` the transform alone.
 //!
 //! Scopes nest. A `}` closes the innermost `{`; a `push_matrix` that is still open within it is an
-//! error, and is closed with it. A `pop_matrix` never reaches through a brace.
+//! error, and is closed with it. A `pop_matrix` never reaches through a brace. Nothing reaches out of a turn
+//! of a `repeat`.
 
 use crate::description::Span;
 
@@ -26,11 +27,14 @@ struct Scope {
 enum Kind {
     Brace,
     Matrix,
+    /// A turn of a `repeat`: nothing within it closes what is outside.
+    Turn,
 }
 
 impl Scopes {
     fn innermost_brace(&self) -> Option<usize> {
-        self.0.iter().rposition(|scope| scope.kind == Kind::Brace)
+        let innermost = self.0.iter().rposition(|scope| scope.kind != Kind::Matrix);
+        innermost.filter(|&scope| self.0[scope].kind == Kind::Brace)
     }
 }
 
@@ -80,11 +84,30 @@ fn unbalanced_pop(scopes: &Scopes, here: Span) -> Diagnostic {
     // Perhaps there is one, but outside the braces around this place.
     let outside = scopes.0.iter().rposition(|scope| scope.kind == Kind::Matrix);
     match (outside, scopes.0.last()) {
-        (Some(matrix), Some(brace)) => error
-            .with_related(scopes.0[matrix].opened.clone(), "this one is outside the braces")
-            .with_related(brace.opened.clone(), "the scope of the `pop_matrix` begins here"),
+        (Some(matrix), Some(around)) => error
+            .with_related(
+                scopes.0[matrix].opened.clone(),
+                match around.kind {
+                    Kind::Turn => "this one is outside the `repeat`",
+                    Kind::Brace | Kind::Matrix => "this one is outside the braces",
+                },
+            )
+            .with_related(around.opened.clone(), "the scope of the `pop_matrix` begins here"),
         _ => error,
     }
+}
+
+/// Begins a turn of a `repeat`.
+pub(super) fn begin_turn(builder: &mut Builder, opened: Span) {
+    open(builder, Kind::Turn, opened);
+}
+
+/// Ends a turn of a `repeat`: what it has opened, it has closed. Material and transform go on.
+pub(super) fn end_turn(builder: &mut Builder, end: &Span) {
+    while let Some(scope) = builder.scopes.0.pop_if(|scope| scope.kind != Kind::Turn) {
+        builder.report(unclosed(&scope, end.clone(), "the turn of the `repeat` ends here"));
+    }
+    builder.scopes.0.pop();
 }
 
 /// Ends the scene.
@@ -103,6 +126,7 @@ fn unclosed(scope: &Scope, end: Span, at_end: &str) -> Diagnostic {
     let (keyword, closing) = match scope.kind {
         Kind::Brace => ("{", "}"),
         Kind::Matrix => ("push_matrix", "pop_matrix"),
+        Kind::Turn => ("repeat", "end_repeat"),
     };
     Diagnostic::error(scope.opened.clone(), format!("`{keyword}` is never closed"))
         .with_label("opened here")

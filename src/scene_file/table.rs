@@ -6,6 +6,7 @@
 use super::camera;
 use super::command::{Command, Group, Kind, Value};
 use super::entities;
+use super::repeat;
 use super::scopes;
 use super::state;
 use crate::description::{Camera, Options};
@@ -137,6 +138,24 @@ pub const COMMANDS: &[Command] = &[
         example: "pop_matrix",
         also_called: &["pop"],
         apply: scopes::pop_matrix,
+    },
+    Command {
+        keyword: "repeat",
+        group: Group::Structure,
+        values: &[value("turns", Kind::Whole(1, repeat::MOST_OBJECTS))],
+        summary: "carries out the lines up to its end_repeat so many times; the transform goes on from turn to turn",
+        example: "repeat 1000",
+        also_called: &["for", "loop", "times"],
+        apply: repeat::acted_on_by_the_recorder,
+    },
+    Command {
+        keyword: "end_repeat",
+        group: Group::Structure,
+        values: &[],
+        summary: "ends the lines of the innermost repeat",
+        example: "end_repeat",
+        also_called: &["endrepeat", "end_for", "end_loop"],
+        apply: repeat::acted_on_by_the_recorder,
     },
     Command {
         keyword: "end",

@@ -3,8 +3,60 @@
 use glam::Vec3;
 
 use crate::math::{Aabb, Ray, UNIT_ROUNDOFF, outward_box};
+use crate::simd::{Lanes, Lanes3, dot, sub};
 
 use super::SurfacePoint;
+
+/// How a line comes by a ball: what decides whether they meet, and where.
+///
+/// After Haines, Günther, Akenine-Möller: *Precision Improvements for Ray/Sphere Intersection*, Ray
+/// Tracing Gems, 2019, chapter 7: the discriminant from the distance between the centre and the
+/// line, which does not cancel for small or far balls, and the nearer root from the product of
+/// both.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Approach<L> {
+    /// |d|².
+    pub(super) a: L,
+    /// The way to the centre along the direction, times |d|².
+    pub(super) b: L,
+    /// The square of the distance to the centre, less r²: negative inside.
+    pub(super) c: L,
+    /// r² less the square of the distance between centre and line: they meet if it is not negative.
+    pub(super) discriminant: L,
+}
+
+impl<L: Lanes> Approach<L> {
+    #[inline(always)]
+    pub(super) fn new(to_center: Lanes3<L>, dir: Lanes3<L>, radius_squared: L) -> Self {
+        let a = dot(dir, dir);
+        let b = dot(to_center, dir);
+        let along = b / a;
+        let to_line = sub(to_center, [along * dir[0], along * dir[1], along * dir[2]]);
+        Self {
+            a,
+            b,
+            c: dot(to_center, to_center) - radius_squared,
+            discriminant: radius_squared - dot(to_line, to_line),
+        }
+    }
+
+    /// Both parameters, in no order.
+    #[inline(always)]
+    pub(super) fn roots(&self) -> (L, L) {
+        let q = self.b + (self.a * self.discriminant).sqrt().flipped_by(self.b);
+        (self.c / q, q / self.a)
+    }
+}
+
+impl Approach<f32> {
+    /// The roots, if line and ball meet and not all of that lies behind the ray's origin: outside
+    /// and on the way out, both parameters are negative.
+    #[inline(always)]
+    pub(super) fn roots_if_met(&self) -> Option<(f32, f32)> {
+        let ahead = self.c <= 0.0 || self.b >= 0.0;
+        (ahead && self.discriminant >= 0.0).then(|| self.roots())
+    }
+}
 
 /// A ball in its own space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,29 +70,13 @@ pub struct Ball {
 impl Ball {
     /// The parameters at which a ray's line enters and leaves the ball, or `None` if the line
     /// passes by or the ball lies behind the ray's origin.
-    ///
-    /// After Haines, Günther, Akenine-Möller: *Precision Improvements for Ray/Sphere
-    /// Intersection*, Ray Tracing Gems, 2019, chapter 7: the discriminant from the distance
-    /// between the centre and the line, which does not cancel for small or far balls, and the
-    /// nearer root from the product of both.
     #[inline]
     #[must_use]
     pub fn crossing(&self, ray: &Ray) -> Option<(f32, f32)> {
-        let f = ray.origin - self.center;
-        let a = ray.dir.dot(ray.dir);
-        let b = -f.dot(ray.dir);
-        let c = f.dot(f) - self.radius * self.radius;
-        if c > 0.0 && b < 0.0 {
-            return None; // Outside and on the way out: both parameters are negative.
-        }
-        let to_line = f + (b / a) * ray.dir;
-        let discriminant = self.radius * self.radius - to_line.dot(to_line);
-        if discriminant.is_nan() || discriminant < 0.0 {
-            return None;
-        }
-        let q = b + b.signum() * (a * discriminant).sqrt();
-        let (t0, t1) = (c / q, q / a);
-        Some(if t0 < t1 { (t0, t1) } else { (t1, t0) })
+        let to_center = (self.center - ray.origin).to_array();
+        let approach = Approach::new(to_center, ray.dir.to_array(), self.radius * self.radius);
+        let (t0, t1) = approach.roots_if_met()?;
+        Some(if t0 <= t1 { (t0, t1) } else { (t1, t0) })
     }
 
     /// The smallest box around the ball, rounded outwards.

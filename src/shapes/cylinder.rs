@@ -1,10 +1,12 @@
 //! The canonical cylinder: radius 1 about the z axis, from z = 0 to z = 1, with both caps.
 
-use glam::{DVec2, DVec3, Vec2, Vec3A};
+use glam::{DVec2, DVec3, Vec3A};
 
 use crate::math::{Aabb, Ray, UNIT_ROUNDOFF};
+use crate::simd::{Lanes, Lanes3};
 
 use super::SurfacePoint;
+use super::ball::Approach;
 
 /// The cylinder. It has no parameters: its object's transform gives it a place and a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,24 +59,26 @@ impl Cylinder {
     }
 }
 
-/// Where a line is inside the endless column x² + y² ≤ 1: the ball's formula in the plane.
+/// How a line comes by the column x² + y² ≤ 1: the ball's formula in the plane.
+#[inline(always)]
+pub(super) fn approach_column<L: Lanes>(
+    origin: Lanes3<L>,
+    dir: Lanes3<L>,
+    [zero, one]: [L; 2],
+) -> Approach<L> {
+    let to_axis = [zero - origin[0], zero - origin[1], zero];
+    Approach::new(to_axis, [dir[0], dir[1], zero], one)
+}
+
+/// Where a line is inside the endless column.
 #[inline]
 fn column(ray: &Ray) -> Option<(f32, f32)> {
-    let (f, d) = (Vec2::new(ray.origin.x, ray.origin.y), Vec2::new(ray.dir.x, ray.dir.y));
-    let a = d.dot(d);
-    let c = f.dot(f) - 1.0;
-    if a == 0.0 {
-        return (c <= 0.0).then_some((f32::NEG_INFINITY, f32::INFINITY));
+    let line = approach_column(ray.origin.to_array(), ray.dir.to_array(), [0.0, 1.0]);
+    if line.a == 0.0 {
+        return (line.c <= 0.0).then_some((f32::NEG_INFINITY, f32::INFINITY));
     }
-    let b = -f.dot(d);
-    let to_line = f + (b / a) * d;
-    let discriminant = 1.0 - to_line.dot(to_line);
-    if discriminant.is_nan() || discriminant < 0.0 {
-        return None;
-    }
-    let q = b + b.signum() * (a * discriminant).sqrt();
-    let (t0, t1) = (c / q, q / a);
-    Some(if t0 < t1 { (t0, t1) } else { (t1, t0) })
+    let (t0, t1) = line.roots_if_met()?;
+    Some(if t0 <= t1 { (t0, t1) } else { (t1, t0) })
 }
 
 /// Where a line is between the planes z = 0 and z = 1, and which of them it crosses.

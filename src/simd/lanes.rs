@@ -3,18 +3,25 @@
 //! Every operation here rounds each lane exactly as the scalar operation does, and none fuses a
 //! product with a sum, so a formula written over [`Lanes`] gives the same bits for any width.
 
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 use glam::Vec4;
 
 /// A row of floats that are computed with together.
 pub trait Lanes:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + std::fmt::Debug
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + std::fmt::Debug
 {
     /// Absolute values.
     fn abs(self) -> Self;
     /// The same values, with their signs changed where the sign bit of `of` is set.
     fn flipped_by(self, of: Self) -> Self;
+    /// Square roots, rounded correctly; NaN of what is negative.
+    fn sqrt(self) -> Self;
 }
 
 /// The sign bit.
@@ -29,6 +36,10 @@ impl Lanes for f32 {
     fn flipped_by(self, of: Self) -> Self {
         f32::from_bits(self.to_bits() ^ of.to_bits() & SIGN)
     }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f32::sqrt(self)
+    }
 }
 
 impl Lanes for Vec4 {
@@ -42,6 +53,10 @@ impl Lanes for Vec4 {
         let flipped = glam::UVec4::from_array(self.to_array().map(f32::to_bits))
             ^ glam::UVec4::from_array(of.to_array().map(f32::to_bits)) & glam::UVec4::splat(SIGN);
         Vec4::from_array(flipped.to_array().map(f32::from_bits))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Vec4::sqrt(self)
     }
 }
 
@@ -98,6 +113,8 @@ mod tests {
                 assert_eq!(flipped.to_bits(), (x * of.signum()).to_bits());
             }
             assert_eq!(Lanes::abs(row)[i].to_bits(), Lanes::abs(x).to_bits());
+            let root = Lanes::sqrt(Lanes::abs(row))[i];
+            assert_eq!(root.to_bits(), Lanes::sqrt(Lanes::abs(x)).to_bits());
         }
     }
 }

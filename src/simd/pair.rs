@@ -49,6 +49,10 @@ impl<R: Lanes> Lanes for Pair<R> {
     fn flipped_by(self, of: Self) -> Self {
         Self(self.0.flipped_by(of.0), self.1.flipped_by(of.1))
     }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt(), self.1.sqrt())
+    }
 }
 
 /// The masks of both halves, of which the lower has `HALF` lanes.

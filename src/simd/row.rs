@@ -1,6 +1,6 @@
 //! What a kernel asks of an instruction set.
 
-use std::ops::{BitAnd, Div};
+use std::ops::BitAnd;
 
 use super::{Lanes, Lanes3};
 
@@ -15,7 +15,7 @@ pub trait Mask: Copy + BitAnd<Output = Self> {
 /// Rows must not pass through functions that are not `#[inline(always)]`, closures among them, nor
 /// through the standard library's combinators: these are compiled without the instruction set, and
 /// a call that hands over a row is not inlined.
-pub trait Row<const N: usize>: Lanes + Div<Output = Self> {
+pub trait Row<const N: usize>: Lanes {
     /// What comparisons give.
     type Mask: Mask;
 

@@ -162,7 +162,7 @@ arithmetic!(MaskedEight, _mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps, _mm256_div
 arithmetic!(Sixteen, _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps);
 
 macro_rules! lanes {
-    ($row:ident, $set:ident, $and:ident, $andnot:ident, $xor:ident) => {
+    ($row:ident, $set:ident, $and:ident, $andnot:ident, $xor:ident, $sqrt:ident) => {
         impl Lanes for $row {
             #[inline(always)]
             fn abs(self) -> Self {
@@ -172,13 +172,17 @@ macro_rules! lanes {
             fn flipped_by(self, of: Self) -> Self {
                 Self(op!($xor(self.0, $and($set(-0.0), of.0))))
             }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                Self(op!($sqrt(self.0)))
+            }
         }
     };
 }
 
-lanes!(Eight, _mm256_set1_ps, _mm256_and_ps, _mm256_andnot_ps, _mm256_xor_ps);
-lanes!(MaskedEight, _mm256_set1_ps, _mm256_and_ps, _mm256_andnot_ps, _mm256_xor_ps);
-lanes!(Sixteen, _mm512_set1_ps, _mm512_and_ps, _mm512_andnot_ps, _mm512_xor_ps);
+lanes!(Eight, _mm256_set1_ps, _mm256_and_ps, _mm256_andnot_ps, _mm256_xor_ps, _mm256_sqrt_ps);
+lanes!(MaskedEight, _mm256_set1_ps, _mm256_and_ps, _mm256_andnot_ps, _mm256_xor_ps, _mm256_sqrt_ps);
+lanes!(Sixteen, _mm512_set1_ps, _mm512_and_ps, _mm512_andnot_ps, _mm512_xor_ps, _mm512_sqrt_ps);
 
 macro_rules! eight {
     ($row:ident, $mask:ident, $cmp:ident, $select:ident) => {

@@ -40,15 +40,16 @@ pub(crate) fn stem(path: &Path) -> String {
 pub(crate) fn load(path: &Path) -> Scene {
     let text = fs::read_to_string(path).expect("the scene can be read");
     let folder = path.parent().expect("a file is in a folder");
-    compile(&text, &path.to_string_lossy(), folder)
+    compiled(&text, &path.to_string_lossy(), folder)
 }
 
 /// A scene from its text, the first line left out.
 pub(crate) fn scene(text: &str) -> Scene {
-    compile(&format!("sce1.0\n{text}"), "test.sce", Path::new("."))
+    compiled(&format!("sce1.0\n{text}"), "test.sce", Path::new("."))
 }
 
-fn compile(text: &str, name: &str, folder: &Path) -> Scene {
+/// A scene from its whole text, of which the meshes are in a folder.
+pub(crate) fn compiled(text: &str, name: &str, folder: &Path) -> Scene {
     let parsed = parse(text, &ParseOptions::default())
         .unwrap_or_else(|d| panic!("{}", render_diagnostics(&d, text, name, false)));
     let meshes = load_meshes(&parsed.description.meshes, folder).expect("the meshes load");

@@ -20,7 +20,7 @@ fn random_scenes_of_transformed_objects() {
     let mut compared = 0;
     for seed in 0..8 {
         for scale in [1e-3, 1.0, 1e6] {
-            // Many objects, and so few that slices of rays are brought to each of them.
+            // Many objects, and so few that one node holds them all.
             compared += compare(&random_scene(seed, scale, 0..40), seed, 6_000);
             compared += compare(&random_scene(seed, scale, 11..17), seed, 2_000);
             // A mesh by itself.
@@ -29,6 +29,13 @@ fn random_scenes_of_transformed_objects() {
     }
     println!("{compared} rays compared, 0 differ");
     assert!(compared > 150_000, "only {compared} rays were compared");
+}
+
+#[test]
+fn many_objects_of_all_forms_in_a_deep_tree() {
+    for scale in [1.0, 1e3] {
+        compare(&random_scene(77, scale, 0..700), 77, 6_000);
+    }
 }
 
 /// Compares all structures with the first of the table, `none`; returns how many rays.

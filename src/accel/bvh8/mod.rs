@@ -1,9 +1,11 @@
 //! A tree of eight children a node, with kernels that trace many rays at once.
 //!
 //! A binary tree with a primitive in each leaf (`binary.rs`) is collapsed at the least cost
-//! (`plan.rs`, `collapse.rs`). Slices of rays go down it in packets where they are coherent
-//! (`packet.rs`) and in waves where they are not (`wave.rs`); a single ray is walked by
-//! [`Accel::traverse`], which is also the way of the rays that the kernels' terms cannot take.
+//! (`plan.rs`, `collapse.rs`). Slices of rays go down it in packets as long as they are coherent
+//! (`packet.rs`) and in waves where they are not (`wave.rs`); where primitives are not tested in
+//! packs, a stream of rays is brought to each node and to each primitive that any of them meets
+//! (`stream.rs`). A single ray is walked by [`Accel::traverse`], which is also the way of the rays
+//! that the kernels' terms cannot take.
 
 mod answer;
 mod binary;
@@ -14,6 +16,7 @@ mod packet;
 mod parked;
 mod plan;
 mod slab_ray;
+mod stream;
 mod wave;
 
 use std::cell::Cell;
@@ -133,7 +136,9 @@ impl Accel for Bvh8 {
     ) {
         if let Some(search) = Search::new(self, primitives) {
             dispatch(Trace { search, rays, answers: hits, counters });
-        } else if !primitives.intersect_all(rays, hits, counters) {
+        } else if !self.nodes.is_empty() {
+            dispatch(stream::Trace { tree: self, primitives, rays, answers: hits, counters });
+        } else {
             closest_of_each(self, primitives, rays, hits, counters);
         }
     }
@@ -147,7 +152,9 @@ impl Accel for Bvh8 {
     ) {
         if let Some(search) = Search::new(self, primitives) {
             dispatch(Trace { search, rays, answers, counters });
-        } else if !primitives.occluded_all(rays, answers, counters) {
+        } else if !self.nodes.is_empty() {
+            dispatch(stream::Trace { tree: self, primitives, rays, answers, counters });
+        } else {
             blocked_of_each(self, primitives, rays, answers, counters);
         }
     }

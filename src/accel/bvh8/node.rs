@@ -3,7 +3,7 @@
 use glam::Vec3A;
 
 use crate::math::Aabb;
-use crate::simd::{Row, Simd};
+use crate::simd::{Lanes3, Row, Simd};
 
 /// Children of a node.
 pub(super) const WIDTH: usize = 8;
@@ -125,6 +125,26 @@ impl Node {
     #[inline(always)]
     pub(super) fn planes<S: Simd>(&self, place: u32) -> S::F8 {
         S::F8::load_bits(self.row(place as usize))
+    }
+
+    /// Where a ray enters and leaves the children's boxes within its own interval, by the terms of
+    /// [`SlabRay`](super::slab_ray::SlabRay).
+    #[inline(always)]
+    pub(super) fn intervals<S: Simd>(
+        &self,
+        [x, y, z]: [u32; 3],
+        inv_dir: Lanes3<S::F8>,
+        near: Lanes3<S::F8>,
+        far: Lanes3<S::F8>,
+        [t_min, t_max]: [S::F8; 2],
+    ) -> (S::F8, S::F8) {
+        let begin = S::F8::slab(self.planes::<S>(x), inv_dir[0], near[0])
+            .max(S::F8::slab(self.planes::<S>(y), inv_dir[1], near[1]))
+            .max(S::F8::slab(self.planes::<S>(z), inv_dir[2], near[2]).max(t_min));
+        let end = S::F8::slab(self.planes::<S>(x ^ FAR), inv_dir[0], far[0])
+            .min(S::F8::slab(self.planes::<S>(y ^ FAR), inv_dir[1], far[1]))
+            .min(S::F8::slab(self.planes::<S>(z ^ FAR), inv_dir[2], far[2]).min(t_max));
+        (begin, end)
     }
 
     /// One child's plane of those that stand at a place.

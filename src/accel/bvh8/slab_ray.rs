@@ -54,6 +54,10 @@ pub(super) struct SlabRay {
 }
 
 impl SlabRay {
+    /// In a place without a ray.
+    pub(super) const VACANT: Self =
+        Self { inv_dir: Vec3A::ZERO, near: Vec3A::ZERO, far: Vec3A::ZERO, octant: 0 };
+
     /// The terms of a ray, or `None` if one of its directions is too small for them.
     #[inline(always)]
     pub(super) fn new<S: Simd>(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Option<Self> {

@@ -12,7 +12,7 @@ use crate::math::{BoxRay, Hit, NONE, Padding, Ray};
 use crate::simd::{Mask, Row, Simd, splat3};
 
 use super::answer::Answer;
-use super::node::{Child, FAR, near_planes, order_shift};
+use super::node::{Child, near_planes, order_shift};
 use super::parked::{Parked, ParkedRay};
 use super::slab_ray::SlabRay;
 use super::{HEIGHT, Search};
@@ -186,21 +186,13 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
             if C::COUNTS {
                 counters.boxes(node.present().count() as u32);
             }
-            let [x, y, z] = slot.near_planes;
-            let inv = splat3::<S::F8, 8>(slot.inv_dir);
-            let near = splat3::<S::F8, 8>(slot.near);
-            let far = splat3::<S::F8, 8>(slot.far);
-            let begin = S::F8::slab(node.planes::<S>(x), inv[0], near[0])
-                .max(S::F8::slab(node.planes::<S>(y), inv[1], near[1]))
-                .max(
-                    S::F8::slab(node.planes::<S>(z), inv[2], near[2]).max(S::F8::splat(slot.t_min)),
-                );
-            let end = S::F8::slab(node.planes::<S>(x ^ FAR), inv[0], far[0])
-                .min(S::F8::slab(node.planes::<S>(y ^ FAR), inv[1], far[1]))
-                .min(
-                    S::F8::slab(node.planes::<S>(z ^ FAR), inv[2], far[2])
-                        .min(S::F8::splat(slot.end)),
-                );
+            let (begin, end) = node.intervals::<S>(
+                slot.near_planes,
+                splat3::<S::F8, 8>(slot.inv_dir),
+                splat3::<S::F8, 8>(slot.near),
+                splat3::<S::F8, 8>(slot.far),
+                [S::F8::splat(slot.t_min), S::F8::splat(slot.end)],
+            );
             let top = slot.height as usize;
             if A::ANY {
                 let mask = begin.le(end).bits();

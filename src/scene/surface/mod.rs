@@ -8,7 +8,7 @@
 use glam::{DVec3, Vec3};
 
 use crate::description::Normals;
-use crate::math::{Hit, Ray, UNIT_ROUNDOFF};
+use crate::math::{Hit, Ray, Transform, UNIT_ROUNDOFF};
 use crate::shapes::{Cylinder, SurfacePoint, Triangle};
 
 use super::{Form, Object, Scene};
@@ -68,11 +68,12 @@ impl Scene {
     #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let object = &self.objects[hit.object as usize];
-        let own = self.own_point(object, ray, hit);
-        let (point, outward, clearance) = to_world(object, &own);
+        let transform = self.transform_of(object);
+        let own = self.own_point(object, transform.as_deref(), ray, hit);
+        let (point, outward, clearance) = to_world(transform.as_deref(), &own);
         let facing = if outward.dot(ray.dir.as_dvec3()) <= 0.0 { outward } else { -outward };
         let shading = self
-            .shading_normal(object, hit)
+            .shading_normal(object, transform.as_deref(), hit)
             .map_or(facing, |normal| if normal.dot(facing) < 0.0 { -normal } else { normal });
         Surface {
             geometric_normal: facing.as_vec3(),
@@ -85,14 +86,17 @@ impl Scene {
     }
 
     /// The point in the object's own space.
-    fn own_point(&self, object: &Object, ray: &Ray, hit: &Hit) -> SurfacePoint {
-        let own_ray = match &object.transform {
-            Some(transform) => transform.ray_to_object().apply(ray),
-            None => *ray,
-        };
+    fn own_point(
+        &self,
+        object: &Object,
+        transform: Option<&Transform>,
+        ray: &Ray,
+        hit: &Hit,
+    ) -> SurfacePoint {
+        let own_ray = || transform.map_or(*ray, |transform| transform.ray_to_object().apply(ray));
         match object.form {
-            Form::Ball(ball) => ball.surface_point(&own_ray, hit.t),
-            Form::Cylinder => Cylinder::surface_point(&own_ray, hit.t, hit.prim),
+            Form::Ball(ball) => ball.surface_point(&own_ray(), hit.t),
+            Form::Cylinder => Cylinder::surface_point(&own_ray(), hit.t, hit.prim),
             Form::Triangle(triangle) => triangle.surface_point(hit.u, hit.v),
             Form::Mesh { mesh, .. } => {
                 let mesh = &self.meshes[mesh];
@@ -104,14 +108,19 @@ impl Scene {
     }
 
     /// The interpolated unit normal in the world, for meshes that have one.
-    fn shading_normal(&self, object: &Object, hit: &Hit) -> Option<DVec3> {
+    fn shading_normal(
+        &self,
+        object: &Object,
+        transform: Option<&Transform>,
+        hit: &Hit,
+    ) -> Option<DVec3> {
         let Form::Mesh { mesh, normals: Normals::Interpolated } = object.form else { return None };
         let mesh = &self.meshes[mesh];
         let corners = mesh.normal_indices[hit.prim as usize];
         let [a, b, c] = corners.map(|corner| mesh.normals[corner as usize].as_dvec3());
         let (u, v) = (f64::from(hit.u), f64::from(hit.v));
         let own = (1.0 - u - v) * a + u * b + v * c;
-        let world = object.transform.as_ref().map_or(own, |t| t.normal_to_world * own);
+        let world = transform.map_or(own, |t| t.normal_to_world() * own);
         world.try_normalize()
     }
 }
@@ -122,14 +131,14 @@ impl Scene {
 /// That distance is the shape's own clearance, seen in the world; the rounding of the starting
 /// point to `f32`; and what the trip of that point back to object space can move it by. The
 /// errors are vectors of bounds per axis; along the normal they are their product with |normal|.
-fn to_world(object: &Object, own: &SurfacePoint) -> (DVec3, DVec3, f64) {
+fn to_world(transform: Option<&Transform>, own: &SurfacePoint) -> (DVec3, DVec3, f64) {
     let rounding = |point: DVec3| 2.0 * UNIT_ROUNDOFF * point.abs();
-    let Some(transform) = &object.transform else {
+    let Some(transform) = transform else {
         let clearance = own.clearance + own.normal.abs().dot(rounding(own.position));
         return (own.position, own.normal, clearance);
     };
     let point = transform.world_from_object.transform_point3(own.position);
-    let normal = transform.normal_to_world * own.normal;
+    let normal = transform.normal_to_world() * own.normal;
     let length_recip = normal.length_recip();
     let unit = normal * length_recip;
     // The inverse transpose shortens a normal by as much as distances along it grow.

@@ -1,0 +1,246 @@
+//! Streams: many rays go down the tree together, to primitives that each take time.
+//!
+//! A node is visited once, by all rays of a stream that meet it, and a primitive is asked once, about
+//! all rays that meet its box: so its matrix, or the structure within it, is met by many rays while
+//! it is at hand. After Barringer, Akenine-Möller: *Dynamic Ray Stream Traversal*, 2014.
+//!
+//! ```text
+//! for each octant of directions: push (root, its rays)
+//! while something is on the stack:
+//!     pop (child, rays)
+//!     a leaf:  ask its primitives about the rays
+//!     a node:  test each ray against the eight boxes before the end of its search, and append it to
+//!              the lists of the children that it enters; push these, the farthest first
+//! ```
+
+use std::cell::Cell;
+
+use glam::Vec3A;
+
+use crate::accel::Primitives;
+use crate::counters::Counters;
+use crate::math::{BoxRay, Ray};
+use crate::simd::{Kernel, Mask, Row, Simd, splat3};
+
+use super::Bvh8;
+use super::answer::Answer;
+use super::node::{Child, Node, WIDTH, near_planes, order_shift};
+use super::slab_ray::SlabRay;
+
+/// Rays of a stream: few enough to stay in a core's cache.
+const RAYS: usize = 1024;
+
+/// The memory of a stream.
+#[derive(Default)]
+struct Scratch {
+    slabs: Vec<SlabRay>,
+    /// The lists of rays, by their places in the stream. Those of a node's children lie behind all
+    /// that are still to be visited.
+    lists: Vec<u32>,
+    stack: Vec<Entry>,
+}
+
+/// What is to be visited.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    child: Child,
+    /// Its list.
+    start: usize,
+    length: usize,
+    /// Where the lists of its children may begin.
+    free: usize,
+}
+
+thread_local! {
+    /// Kept from call to call; absent while used.
+    static SCRATCH: Cell<Option<Box<Scratch>>> = const { Cell::new(None) };
+}
+
+/// What is asked of a slice of rays.
+pub(super) struct Trace<'a, P, A, C> {
+    pub(super) tree: &'a Bvh8,
+    pub(super) primitives: &'a P,
+    pub(super) rays: &'a [Ray],
+    pub(super) answers: &'a mut [A],
+    pub(super) counters: &'a mut C,
+}
+
+impl<P: Primitives, A: Answer, C: Counters> Kernel for Trace<'_, P, A, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { tree, primitives, rays, answers, counters } = self;
+        let mut scratch = SCRATCH.take().unwrap_or_default();
+        for (rays, answers) in rays.chunks(RAYS).zip(answers.chunks_mut(RAYS)) {
+            let mut stream = Stream { tree, primitives, rays, answers, counters };
+            if let [root] = &tree.nodes[..] {
+                stream.ask_all(root, &mut scratch.lists);
+            } else {
+                stream.search_all::<S>(&mut scratch);
+            }
+            for answer in stream.answers {
+                answer.finish();
+            }
+        }
+        SCRATCH.set(Some(scratch));
+    }
+}
+
+/// A slice of rays that go together.
+struct Stream<'a, P, A, C> {
+    tree: &'a Bvh8,
+    primitives: &'a P,
+    rays: &'a [Ray],
+    answers: &'a mut [A],
+    counters: &'a mut C,
+}
+
+impl<P: Primitives, A: Answer, C: Counters> Stream<'_, P, A, C> {
+    /// Prepares the rays and parts them by octants; returns how many are in each. Where any hit will
+    /// do, no order is the better one, and all go with the first octant. Rays that the slab test
+    /// cannot take are traced at once, alone.
+    #[inline(always)]
+    fn start<S: Simd>(&mut self, scratch: &mut Scratch) -> [usize; 8] {
+        let Scratch { slabs, lists, .. } = scratch;
+        slabs.clear();
+        if lists.len() < 8 * RAYS {
+            lists.resize(8 * RAYS, 0);
+        }
+        let padding = self.primitives.padding();
+        let mut counts = [0; 8];
+        for (place, ray) in self.rays.iter().enumerate() {
+            let box_ray = BoxRay::new(ray, padding);
+            let slab = SlabRay::new::<S>(ray, &box_ray, padding);
+            slabs.push(slab.unwrap_or(SlabRay::VACANT));
+            let Some(slab) = slab else {
+                self.answers[place] = A::alone(self.tree, self.primitives, ray, self.counters);
+                continue;
+            };
+            self.answers[place] = A::start(ray);
+            let octant = if A::ANY { 0 } else { slab.octant as usize % 8 };
+            lists[octant * RAYS + counts[octant]] = place as u32;
+            counts[octant] += 1;
+        }
+        counts
+    }
+
+    /// Asks the few primitives of a tree of one node about all rays, without a look at the node:
+    /// the primitives look at their boxes anyway. Near ones come first, as the first ray sees it.
+    fn ask_all(&mut self, root: &Node, lists: &mut Vec<u32>) {
+        for (answer, ray) in self.answers.iter_mut().zip(self.rays) {
+            *answer = A::start(ray);
+        }
+        lists.clear();
+        lists.extend(0..self.rays.len() as u32);
+        let towards = self.rays.first().map_or(Vec3A::ZERO, |ray| ray.dir.into());
+        let shift = order_shift(towards.cmplt(Vec3A::ZERO).bitmask());
+        let mut open = lists.len();
+        for word in root.orders().iter().rev() {
+            let child = Child(root.children()[(word >> shift) as usize % WIDTH]);
+            if child != Child::ABSENT {
+                open = self.ask(child, &mut lists[..open]);
+            }
+        }
+    }
+
+    /// Searches with the rays of each octant.
+    #[inline(always)]
+    fn search_all<S: Simd>(&mut self, scratch: &mut Scratch) {
+        let counts = self.start::<S>(scratch);
+        for (octant, &count) in counts.iter().enumerate() {
+            self.search::<S>(scratch, octant, count);
+        }
+    }
+
+    /// Searches with the rays of an octant.
+    #[inline(always)]
+    fn search<S: Simd>(&mut self, scratch: &mut Scratch, octant: usize, count: usize) {
+        let Scratch { slabs, lists, stack } = scratch;
+        let shift = order_shift(octant as u32);
+        stack.clear();
+        let root =
+            Entry { child: Child::node(0), start: octant * RAYS, length: count, free: 8 * RAYS };
+        if count > 0 {
+            stack.push(root);
+        }
+        while let Some(Entry { child, start, length, free }) = stack.pop() {
+            if child.is_leaf() {
+                self.ask(child, &mut lists[start..start + length]);
+                continue;
+            }
+            if lists.len() < free + WIDTH * length {
+                lists.resize(free + WIDTH * length, 0);
+            }
+            let node = &self.tree.nodes[child.index()];
+            if C::COUNTS {
+                self.counters.boxes(node.present().count() as u32 * length as u32);
+            }
+            let (visited, below) = lists.split_at_mut(free);
+            let list = &visited[start..start + length];
+            let lengths = self.enter::<S>(node, slabs, list, &mut below[..WIDTH * length]);
+            for word in node.orders() {
+                let lane = (word >> shift) as usize % WIDTH;
+                if lengths[lane] > 0 {
+                    stack.push(Entry {
+                        child: Child(node.children()[lane]),
+                        start: free + lane * length,
+                        length: lengths[lane],
+                        free: free + WIDTH * length,
+                    });
+                }
+            }
+        }
+    }
+
+    /// Appends each ray of a list to the lists of the children that it enters; each of these has
+    /// room for all. Returns their lengths.
+    #[inline(always)]
+    fn enter<S: Simd>(
+        &self,
+        node: &Node,
+        slabs: &[SlabRay],
+        list: &[u32],
+        below: &mut [u32],
+    ) -> [usize; WIDTH] {
+        let mut lengths = [0; WIDTH];
+        for &place in list {
+            let (slab, ray) = (&slabs[place as usize], &self.rays[place as usize]);
+            let end = self.answers[place as usize].end(ray);
+            let entered = entered::<S>(node, slab, ray.t_min, end);
+            for (lane, length) in lengths.iter_mut().enumerate() {
+                below[lane * list.len() + *length] = place;
+                *length += (entered >> lane & 1) as usize;
+            }
+        }
+        lengths
+    }
+
+    /// Asks the primitives of a leaf about those rays of a list whose search goes on; these come to
+    /// its front. Returns how many they are.
+    fn ask(&mut self, leaf: Child, list: &mut [u32]) -> usize {
+        let mut open = 0;
+        for index in 0..list.len() {
+            let place = list[index];
+            list[open] = place;
+            open += usize::from(self.answers[place as usize].is_open());
+        }
+        let first = (leaf.block() * self.tree.block) as u32;
+        let slots = first..first + leaf.count();
+        A::ask(self.primitives, slots, self.rays, &list[..open], self.answers, self.counters);
+        open
+    }
+}
+
+/// The children that a ray enters before an end.
+#[inline(always)]
+fn entered<S: Simd>(node: &Node, slab: &SlabRay, t_min: f32, end: f32) -> u32 {
+    let (begin, leave) = node.intervals::<S>(
+        near_planes(slab.octant),
+        splat3::<S::F8, 8>(slab.inv_dir.to_array()),
+        splat3::<S::F8, 8>(slab.near.to_array()),
+        splat3::<S::F8, 8>(slab.far.to_array()),
+        [S::F8::splat(t_min), S::F8::splat(end)],
+    );
+    begin.le(leave).bits()
+}

@@ -1,0 +1,93 @@
+sce1.0
+eyepos 0 -5 1
+eyedir 0 1 0
+eyeup 0 0 1
+wdist 1
+fovy_deg 40
+nx 4
+ny 3
+pointlight 0 0 5  1 1 1
+repeat 5000
+  repeat 5000
+    translate 1 0 0
+    ball 1 0 0 0
+  end_repeat
+end_repeat
+repeat 100000
+  repeat 100000
+    repeat 16000000
+      repeat 16000000
+      end_repeat
+    end_repeat
+  end_repeat
+end_repeat
+repeat 16777217
+  ball 1 0 0 0
+end_repeat
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+repeat 2
+ball 1 0 0 0
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
+end_repeat
