@@ -213,6 +213,7 @@ impl Batch {
 
     fn shadows_of_all_lights(&mut self, context: &Context<'_>) {
         let mut shadows = std::mem::take(&mut self.shadows);
+        shadows.receive(context, &self.shaded);
         for light in 0..context.scene.lights.len() {
             shadows.add_light(context, light, self);
         }
