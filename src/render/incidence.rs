@@ -31,8 +31,7 @@ impl LightPlane {
 
     /// The points at a place of the unit square for each lane.
     #[inline(always)]
-    fn points<S: Simd>(&self, u: &Row, v: &Row) -> Lanes3<S::F16> {
-        let (u, v) = (S::F16::load(u), S::F16::load(v));
+    fn points<S: Simd>(&self, u: S::F16, v: S::F16) -> Lanes3<S::F16> {
         let corner: Lanes3<S::F16> = splat3(self.corner.to_array());
         let side_u: Lanes3<S::F16> = splat3(self.side_u.to_array());
         let side_v: Lanes3<S::F16> = splat3(self.side_v.to_array());
@@ -66,8 +65,8 @@ impl Incidence {
         &mut self,
         plane: &LightPlane,
         receivers: &Receivers,
-        u: &Row,
-        v: &Row,
+        u: S::F16,
+        v: S::F16,
         to_light: &mut Rows3,
     ) {
         let zero = S::F16::splat(0.0);
@@ -147,7 +146,8 @@ mod tests {
         #[inline(always)]
         fn run<S: Simd>(self) -> Self::Output {
             let (mut incidence, mut to_light) = (Incidence::default(), Rows3::default());
-            incidence.fall::<S>(self.plane, self.receivers, &self.u, &self.v, &mut to_light);
+            let (u, v) = (S::F16::load(&self.u), S::F16::load(&self.v));
+            incidence.fall::<S>(self.plane, self.receivers, u, v, &mut to_light);
             (incidence, to_light)
         }
     }
@@ -163,7 +163,8 @@ mod tests {
         let [origin, normal, view_dir] = [Vec3::ZERO, Vec3::Z, -Vec3::Z];
         let surface = Receiver { finish, origin, normal, geometric_normal: normal, view_dir };
         let light = Light::Point { position: point, color: Color::ONE };
-        let receivers = Receivers::new([surface; 3].into_iter());
+        let mut receivers = Receivers::NONE;
+        receivers.lay_out([surface; 3].into_iter());
         let (incidence, _) = fall(&light, &receivers, [0.0; LANES], [0.0; LANES]);
         assert!([0, 0b111].contains(&incidence.lanes));
         (incidence.lanes != 0, incidence.diffuse[2], incidence.specular[2])
@@ -235,11 +236,13 @@ mod tests {
         let clear = Finish::new(&Material { alpha: 0.5, ..shiny(7.0) });
         for finishes in [[matte, clear, Finish::new(&shiny(2.5))], [matte, clear, clear]] {
             let surfaces = some_surfaces(&finishes);
-            let (together, ways) = fall(&light, &Receivers::new(surfaces.iter().copied()), u, v);
+            let mut receivers = Receivers::NONE;
+            receivers.lay_out(surfaces.iter().copied());
+            let (together, ways) = fall(&light, &receivers, u, v);
             assert!(together.lanes.count_ones() > 4);
             for lane in 0..LANES {
-                let alone = Receivers::new(std::iter::once(surfaces[lane]));
-                let (alone, way) = fall(&light, &alone, [u[lane]; LANES], v);
+                receivers.lay_out(std::iter::once(surfaces[lane]));
+                let (alone, way) = fall(&light, &receivers, [u[lane]; LANES], v);
                 assert_eq!(together.lanes >> lane & 1, alone.lanes);
                 let bits = |row: [f32; 5]| row.map(f32::to_bits);
                 let of = |i: &Incidence, [x, y, z]: &Rows3, lane: usize| {

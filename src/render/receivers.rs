@@ -20,9 +20,11 @@ pub(super) type Rows3 = [Row; 3];
 #[derive(Clone, Debug)]
 pub(super) struct Receivers {
     pub(super) origin: Rows3,
+    /// The origins again, as rays have them.
+    pub(super) starts: [Vec3; LANES],
     pub(super) normal: Rows3,
     pub(super) geometric_normal: Rows3,
-    /// Unit directions from where they are seen.
+    /// Directions from where they are seen; unit vectors where there are highlights.
     pub(super) view_dir: Rows3,
     /// Bits of lanes: that have a surface,
     pub(super) present: u32,
@@ -49,8 +51,10 @@ pub(super) struct Receiver<'a> {
 }
 
 impl Receivers {
-    const NONE: Self = Self {
+    /// No surfaces.
+    pub(super) const NONE: Self = Self {
         origin: [[0.0; LANES]; 3],
+        starts: [Vec3::ZERO; LANES],
         normal: [[0.0; LANES]; 3],
         geometric_normal: [[0.0; LANES]; 3],
         view_dir: [[0.0; LANES]; 3],
@@ -62,14 +66,13 @@ impl Receivers {
         exponent: None,
     };
 
-    /// Lays out up to [`LANES`] surfaces.
-    pub(super) fn new<'a>(surfaces: impl Iterator<Item = Receiver<'a>>) -> Self {
-        let mut receivers = Self::NONE;
+    /// Lays out up to [`LANES`] surfaces. What stood in other lanes is left there.
+    pub(super) fn lay_out<'a>(&mut self, surfaces: impl Iterator<Item = Receiver<'a>>) {
+        (self.present, self.opaque, self.matte, self.shining) = (0, 0, 0, 0);
         for (lane, surface) in surfaces.enumerate().take(LANES) {
-            receivers.set(lane, &surface);
+            self.set(lane, &surface);
         }
-        receivers.exponent = receivers.common_exponent();
-        receivers
+        self.exponent = self.common_exponent();
     }
 
     #[inline]
@@ -82,6 +85,7 @@ impl Receivers {
         ] {
             [rows[0][lane], rows[1][lane], rows[2][lane]] = vector.to_array();
         }
+        self.starts[lane] = surface.origin;
         let finish = surface.finish;
         self.present |= 1 << lane;
         self.opaque |= u32::from(finish.opaque) << lane;

@@ -4,6 +4,8 @@
 //! first point of a light come before those to their second: the points of one number lie in one
 //! part of the light, so that rays which follow each other start and end near each other.
 
+use std::ops::Range;
+
 use glam::Vec3;
 
 use crate::math::{Hit, Ray};
@@ -21,14 +23,18 @@ const RAYS_AT_ONCE: usize = 4096;
 /// Rows of rays asked together: enough also where a third of the surfaces do not face the light.
 const ROWS_AT_ONCE: usize = RAYS_AT_ONCE / LANES * 3 / 2;
 
+/// Points of a light that are taken up together: of sixteen surfaces each.
+const STEP: usize = 4;
+
 /// Light that is dimmed below this by what it passes through is gone.
 const LEAST_SHARE: f32 = 1.0 / 16_384.0;
 
 /// The buffers of shadow rays.
 #[derive(Default)]
 pub(super) struct Shadows {
-    /// The surfaces of a wave.
+    /// The surfaces of a wave, and how many sixteens of them there are; the buffer is longer.
     receivers: Vec<Receivers>,
+    count: usize,
     /// What light sends to each of them.
     sums: Vec<Sums>,
     /// Where light samples are put that are made on the fly, for each lane.
@@ -84,9 +90,13 @@ impl Shadows {
             geometric_normal: shaded.surface.geometric_normal,
             view_dir: shaded.dir,
         };
-        self.receivers.clear();
-        let sixteens = surfaces.chunks(LANES);
-        self.receivers.extend(sixteens.map(|them| Receivers::new(them.iter().map(receiver))));
+        self.count = surfaces.len().div_ceil(LANES);
+        if self.receivers.len() < self.count {
+            self.receivers.resize(self.count, Receivers::NONE);
+        }
+        for (receivers, surfaces) in self.receivers.iter_mut().zip(surfaces.chunks(LANES)) {
+            receivers.lay_out(surfaces.iter().map(receiver));
+        }
         self.sent.make_room();
     }
 
@@ -94,9 +104,9 @@ impl Shadows {
     pub(super) fn add_light(&mut self, context: &Context<'_>, light: usize, batch: &mut Batch) {
         let plane = LightPlane::new(&context.scene.lights[light]);
         self.sums.clear();
-        self.sums.resize(self.receivers.len(), Sums::default());
+        self.sums.resize(self.count, Sums::default());
         let mut buffers = std::mem::take(&mut self.points);
-        for index in 0..self.receivers.len() {
+        for index in 0..self.count {
             let first = index * LANES;
             let end = (first + LANES).min(batch.shaded.len());
             let points = points(context, light, batch, &batch.shaded[first..end], &mut buffers);
@@ -176,11 +186,14 @@ fn points<'a>(
 ) -> [&'a [[f32; 2]]; LANES] {
     let mut points: [&[[f32; 2]]; LANES] = [&[[0.0; 2]]; LANES];
     if let Light::Area { .. } = context.scene.lights[light] {
+        let dealt = &batch.dealt[light];
         for ((points, shaded), buffer) in points.iter_mut().zip(surfaces).zip(buffers) {
             let (sample, key) = (shaded.path.sample as usize, shaded.path.key);
-            let dealt = &batch.dealt[light];
             *points = context.light_samples.points(dealt, light, sample, key, buffer);
         }
+        // Lanes without a surface take what another takes.
+        let first = points[0];
+        points[surfaces.len()..].fill(first);
     }
     points
 }
@@ -192,9 +205,9 @@ impl Sent {
         self.rows.resize_with(ROWS_AT_ONCE, SentRow::default);
     }
 
-    /// Whether there may be no room for another row.
+    /// Whether there may be no room for another [`STEP`] rows.
     fn is_full(&self) -> bool {
-        self.ray_count + LANES > self.rays.len() || self.row_count == self.rows.len()
+        self.ray_count + STEP * LANES > self.rays.len() || self.row_count + STEP > self.rows.len()
     }
 }
 
@@ -217,32 +230,47 @@ impl Kernel for Send<'_> {
         let count = self.points[0].len();
         let mut to_light = Rows3::default();
         while *self.point < count && !self.sent.is_full() {
-            let (mut u, mut v) = ([0.0; LANES], [0.0; LANES]);
-            for lane in 0..LANES {
-                // Lanes without a surface have a single point.
-                let points = self.points[lane];
-                [u[lane], v[lane]] = points.get(*self.point).copied().unwrap_or([0.0; 2]);
+            // u0, v0, u1, v1, … of each surface become rows of u0, of v0, …
+            let next = (count - *self.point).min(STEP);
+            let rows = S::transpose(&records(&self.points, *self.point..*self.point + next));
+            *self.point += next;
+            for i in 0..next {
+                let row = &mut self.sent.rows[self.sent.row_count];
+                row.receivers = self.index;
+                let [u, v] = [rows[2 * i % 8], rows[(2 * i + 1) % 8]];
+                row.incidence.fall::<S>(&self.plane, self.receivers, u, v, &mut to_light);
+                let lanes = row.incidence.lanes;
+                let rays = &mut self.sent.rays[self.sent.ray_count..][..LANES];
+                self.sent.ray_count += put_rays(&self.receivers.starts, &to_light, lanes, rays);
+                self.sent.row_count += usize::from(lanes != 0);
             }
-            *self.point += 1;
-            let row = &mut self.sent.rows[self.sent.row_count];
-            row.receivers = self.index;
-            row.incidence.fall::<S>(&self.plane, self.receivers, &u, &v, &mut to_light);
-            let lanes = row.incidence.lanes;
-            let rays = &mut self.sent.rays[self.sent.ray_count..][..LANES];
-            self.sent.ray_count += put_rays(&self.receivers.origin, &to_light, lanes, rays);
-            self.sent.row_count += usize::from(lanes != 0);
         }
     }
+}
+
+/// Up to four points of each surface.
+#[inline(always)]
+fn records(points: &[&[[f32; 2]]; LANES], range: Range<usize>) -> [[f32; 2 * STEP]; LANES] {
+    let mut records = [[0.0; 2 * STEP]; LANES];
+    for lane in 0..LANES {
+        let points = points[lane][range.clone()].as_flattened();
+        if let Some(all) = points.first_chunk() {
+            records[lane] = *all;
+        } else {
+            records[lane][..points.len()].copy_from_slice(points);
+        }
+    }
+    records
 }
 
 /// Puts the rays of some lanes to the front, and says how many there are. Only what lies between
 /// the surface and the light counts; the surface itself is left behind by where the rays start.
 #[inline(always)]
-fn put_rays(origin: &Rows3, to_light: &Rows3, lanes: u32, rays: &mut [Ray]) -> usize {
+fn put_rays(starts: &[Vec3; LANES], to_light: &Rows3, lanes: u32, rays: &mut [Ray]) -> usize {
     let mut count = 0;
     for lane in 0..LANES {
         rays[count % LANES] = Ray {
-            origin: Vec3::new(origin[0][lane], origin[1][lane], origin[2][lane]),
+            origin: starts[lane],
             t_min: 0.0,
             dir: Vec3::new(to_light[0][lane], to_light[1][lane], to_light[2][lane]),
             t_max: 1.0f32.next_down(),
