@@ -46,11 +46,12 @@ impl LightPlane {
 /// What one point of a light for each of sixteen surfaces would add to what they send to the eye.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Incidence {
-    /// A bit for each lane: whether light that adds anything may arrive. The other lanes are 0.
+    /// A bit for each lane: whether light that adds anything may arrive. The numbers of the other
+    /// lanes are 0; if light arrives in none, they are not set.
     pub(super) lanes: u32,
     /// max(0, n·l)
     pub(super) diffuse: Row,
-    /// max(0, n·h)^shininess; not set if no surface has highlights.
+    /// max(0, n·h)^shininess; not set if no surface with highlights is reached.
     pub(super) specular: Row,
 }
 
@@ -76,6 +77,10 @@ impl Incidence {
         way[2].store(&mut to_light[2]);
         let outside = zero.lt(dot(load::<S>(&receivers.geometric_normal), way)).bits();
         let reached = receivers.present & (outside | !receivers.opaque);
+        self.lanes = 0;
+        if reached == 0 {
+            return; // As on the side of things away from a light.
+        }
         let length_recip = S::F16::splat(1.0) / dot(way, way).sqrt();
         let normal = load::<S>(&receivers.normal);
         let cosine = dot(normal, way) * length_recip;

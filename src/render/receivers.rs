@@ -1,6 +1,6 @@
 //! Surfaces on which light falls, sixteen at a time: a lane each.
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
 use crate::simd::ones;
 
@@ -20,8 +20,8 @@ pub(super) type Rows3 = [Row; 3];
 #[derive(Clone, Debug)]
 pub(super) struct Receivers {
     pub(super) origin: Rows3,
-    /// The origins again, as rays have them.
-    pub(super) starts: [Vec3; LANES],
+    /// The origins again, as rays have them: with a beginning of 0.
+    pub(super) starts: [Vec4; LANES],
     pub(super) normal: Rows3,
     pub(super) geometric_normal: Rows3,
     /// Directions from where they are seen; unit vectors where there are highlights.
@@ -54,7 +54,7 @@ impl Receivers {
     /// No surfaces.
     pub(super) const NONE: Self = Self {
         origin: [[0.0; LANES]; 3],
-        starts: [Vec3::ZERO; LANES],
+        starts: [Vec4::ZERO; LANES],
         normal: [[0.0; LANES]; 3],
         geometric_normal: [[0.0; LANES]; 3],
         view_dir: [[0.0; LANES]; 3],
@@ -85,7 +85,7 @@ impl Receivers {
         ] {
             [rows[0][lane], rows[1][lane], rows[2][lane]] = vector.to_array();
         }
-        self.starts[lane] = surface.origin;
+        self.starts[lane] = surface.origin.extend(0.0);
         let finish = surface.finish;
         self.present |= 1 << lane;
         self.opaque |= u32::from(finish.opaque) << lane;

@@ -4,9 +4,7 @@
 //! first point of a light come before those to their second: the points of one number lie in one
 //! part of the light, so that rays which follow each other start and end near each other.
 
-use std::ops::Range;
-
-use glam::Vec3;
+use glam::{Mat4, Vec3, Vec4};
 
 use crate::math::{Hit, Ray};
 use crate::scene::Light;
@@ -59,8 +57,9 @@ struct Sent {
 /// The rays of sixteen surfaces, each to a point of its own: those of the lanes that it reaches.
 #[derive(Clone, Default)]
 struct SentRow {
-    /// Which of the wave's [`Receivers`].
+    /// Which of the wave's [`Receivers`], and whether some of them have highlights.
     receivers: usize,
+    shines: bool,
     incidence: Incidence,
 }
 
@@ -230,13 +229,12 @@ impl Kernel for Send<'_> {
         let count = self.points[0].len();
         let mut to_light = Rows3::default();
         while *self.point < count && !self.sent.is_full() {
-            // u0, v0, u1, v1, … of each surface become rows of u0, of v0, …
             let next = (count - *self.point).min(STEP);
-            let rows = S::transpose(&records(&self.points, *self.point..*self.point + next));
+            let rows = rows_of::<S>(&self.points, *self.point, next);
             *self.point += next;
             for i in 0..next {
                 let row = &mut self.sent.rows[self.sent.row_count];
-                row.receivers = self.index;
+                (row.receivers, row.shines) = (self.index, self.receivers.shining != 0);
                 let [u, v] = [rows[2 * i % 8], rows[(2 * i + 1) % 8]];
                 row.incidence.fall::<S>(&self.plane, self.receivers, u, v, &mut to_light);
                 let lanes = row.incidence.lanes;
@@ -248,34 +246,56 @@ impl Kernel for Send<'_> {
     }
 }
 
-/// Up to four points of each surface.
+/// Up to four points of each surface, as rows of u and v for the first, then for the second, …
 #[inline(always)]
-fn records(points: &[&[[f32; 2]]; LANES], range: Range<usize>) -> [[f32; 2 * STEP]; LANES] {
+fn rows_of<S: Simd>(
+    points: &[&[[f32; 2]]; LANES],
+    first: usize,
+    count: usize,
+) -> [S::F16; 2 * STEP] {
+    if count == 1 {
+        let (mut u, mut v) = ([0.0; LANES], [0.0; LANES]);
+        for lane in 0..LANES {
+            [u[lane], v[lane]] = points[lane][first];
+        }
+        let mut rows = [S::F16::splat(0.0); 2 * STEP];
+        (rows[0], rows[1]) = (S::F16::load(&u), S::F16::load(&v));
+        return rows;
+    }
     let mut records = [[0.0; 2 * STEP]; LANES];
     for lane in 0..LANES {
-        let points = points[lane][range.clone()].as_flattened();
+        let points = points[lane][first..first + count].as_flattened();
         if let Some(all) = points.first_chunk() {
             records[lane] = *all;
         } else {
             records[lane][..points.len()].copy_from_slice(points);
         }
     }
-    records
+    S::transpose(&records)
 }
 
 /// Puts the rays of some lanes to the front, and says how many there are. Only what lies between
 /// the surface and the light counts; the surface itself is left behind by where the rays start.
 #[inline(always)]
-fn put_rays(starts: &[Vec3; LANES], to_light: &Rows3, lanes: u32, rays: &mut [Ray]) -> usize {
+fn put_rays(starts: &[Vec4; LANES], to_light: &Rows3, lanes: u32, rays: &mut [Ray]) -> usize {
     let mut count = 0;
-    for lane in 0..LANES {
-        rays[count % LANES] = Ray {
-            origin: starts[lane],
-            t_min: 0.0,
-            dir: Vec3::new(to_light[0][lane], to_light[1][lane], to_light[2][lane]),
-            t_max: 1.0f32.next_down(),
-        };
-        count += (lanes >> lane & 1) as usize;
+    for first in (0..LANES).step_by(4) {
+        // Halves of rays as they lie in memory: origin and beginning, direction and end.
+        let [x, y, z] = to_light;
+        let ways = Mat4::from_cols(
+            Vec4::from_slice(&x[first..]),
+            Vec4::from_slice(&y[first..]),
+            Vec4::from_slice(&z[first..]),
+            Vec4::splat(1.0f32.next_down()),
+        )
+        .transpose();
+        for (i, way) in [ways.x_axis, ways.y_axis, ways.z_axis, ways.w_axis].iter().enumerate() {
+            let lane = first + i;
+            let start = starts[lane];
+            rays[count % LANES] =
+                Ray { origin: start.truncate(), t_min: start.w, dir: way.truncate(), t_max: way.w };
+            count += (lanes >> lane & 1) as usize;
+        }
     }
     count
 }
@@ -294,7 +314,7 @@ impl Kernel for Arrive<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let mut rest = self.shares;
-        for SentRow { receivers, incidence } in self.rows {
+        for SentRow { receivers, shines, incidence } in self.rows {
             let (own, behind) = rest.split_at(incidence.lanes.count_ones() as usize);
             rest = behind;
             let mut shares = [0.0; LANES];
@@ -309,8 +329,10 @@ impl Kernel for Arrive<'_> {
             let Sums { diffuse, specular } = &mut self.sums[*receivers];
             let sum = S::F16::load(diffuse) + S::F16::load(&incidence.diffuse) * shares;
             sum.store(diffuse);
-            let sum = S::F16::load(specular) + S::F16::load(&incidence.specular) * shares;
-            sum.store(specular);
+            if *shines {
+                let sum = S::F16::load(specular) + S::F16::load(&incidence.specular) * shares;
+                sum.store(specular);
+            }
         }
     }
 }
