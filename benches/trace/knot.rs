@@ -74,9 +74,14 @@ pub(crate) fn spread(rays: &[Ray], count: usize) -> Vec<Ray> {
     rays.iter().step_by(rays.len().div_ceil(count)).copied().collect()
 }
 
-/// A torus knot seen from the front.
 fn scene(triangles: u32) -> Scene {
-    let description = SceneDescription {
+    let mesh = Arc::new(generate(Kind::TorusKnot, triangles, 1));
+    Scene::new(&description(), vec![mesh]).expect("the scene can be traced")
+}
+
+/// A mesh seen from the front, without a light.
+pub(crate) fn description() -> SceneDescription {
+    SceneDescription {
         camera: Camera {
             eye: DVec3::new(0.3, -3.2, 1.4),
             direction: DVec3::new(-0.3, 3.2, -1.4),
@@ -96,7 +101,5 @@ fn scene(triangles: u32) -> Scene {
             span: 0..0,
         }],
         lights: vec![],
-    };
-    let mesh = Arc::new(generate(Kind::TorusKnot, triangles, 1));
-    Scene::new(&description, vec![mesh]).expect("the scene can be traced")
+    }
 }

@@ -2,9 +2,11 @@
 //!
 //! `cargo bench --bench trace` measures the groups `parse`, `build`, `traverse` and `shapes` and
 //! writes `results/benchmarks.md`; a filter behind `--`, such as the name of a group, measures a
-//! part and leaves the table alone. What is measured first shows that it answers as `none` does.
+//! part and leaves the table alone. `frames`, which has to be named, measures whole pictures with
+//! one thread and with two, and prints. What is measured first shows that it answers as `none` does.
 
 mod build;
+mod frames;
 mod knot;
 mod parse;
 mod rays;
@@ -16,6 +18,10 @@ use criterion::Criterion;
 use knot::Knot;
 
 fn main() {
+    if std::env::args().any(|argument| argument == "frames") {
+        frames::measure();
+        return;
+    }
     let whole = std::env::args().skip(1).all(|argument| argument.starts_with("--"));
     let mut criterion = Criterion::default().configure_from_args();
     let mut rows = Vec::new();

@@ -89,6 +89,9 @@ struct ThreadSeconds {
     making_rays: f64,
     shading: f64,
     rest: f64,
+    /// All but tracing, and its share in the total.
+    outside_tracing: f64,
+    outside_tracing_share: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -166,6 +169,8 @@ impl From<&StageTimes> for ThreadSeconds {
             making_rays: seconds(Stage::MakingRays),
             shading: seconds(Stage::Shading),
             rest: seconds(Stage::Rest),
+            outside_tracing: times.outside_tracing().as_secs_f64(),
+            outside_tracing_share: times.outside_tracing_share(),
         }
     }
 }
@@ -224,6 +229,8 @@ mod tests {
         assert_eq!(value["thread_seconds"]["total"], 2.45);
         assert_eq!(value["thread_seconds"]["tracing"], 1.5);
         assert_eq!(value["thread_seconds"]["making_rays"], 0.4);
+        assert_eq!(value["thread_seconds"]["outside_tracing"], 0.95);
+        assert_eq!(value["thread_seconds"]["outside_tracing_share"], 0.95 / 2.45);
         assert_eq!(value["classes"][1]["trace_seconds"], 1.25);
         assert_eq!(value["structure"]["meshes"]["depth"], 23);
         assert_eq!(value["structure"]["meshes"]["leaf_sizes"], json!({"1": 69_990, "5": 10}));

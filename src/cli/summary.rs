@@ -70,13 +70,17 @@ pub(crate) fn table(report: &Report) -> String {
     text
 }
 
-/// What the threads spent their time on: the stages that took any.
+/// What the threads spent their time on: the stages that took any, and all of them but tracing.
 fn stages(report: &Report) -> impl Iterator<Item = [String; 3]> {
     let times = &report.thread_times;
-    Stage::ALL.into_iter().filter(|&stage| !times.of(stage).is_zero()).map(|stage| {
-        let share = times.share(stage).map_or(String::new(), |s| format!("{:.1} %", 100.0 * s));
-        [stage.name().to_owned(), units::time(times.of(stage)), share]
-    })
+    let row = |name: &str, time, share: Option<f64>| {
+        let share = share.map_or(String::new(), |share| format!("{:.1} %", 100.0 * share));
+        [name.to_owned(), units::time(time), share]
+    };
+    let taken = Stage::ALL.into_iter().filter(|&stage| !times.of(stage).is_zero());
+    let stages = taken.map(move |stage| row(stage.name(), times.of(stage), times.share(stage)));
+    let (outside, share) = (times.outside_tracing(), times.outside_tracing_share());
+    stages.chain(std::iter::once(row("all outside tracing", outside, share)))
 }
 
 fn facts(report: &Report) -> [(&'static str, String); 5] {
@@ -211,6 +215,7 @@ tracing shadow rays         1.25 s   51.0 %
 making rays                 400 ms   16.3 %
 shading                     500 ms   20.4 %
 the rest                   50.0 ms    2.0 %
+all outside tracing         950 ms   38.8 %
 ";
         assert_eq!(table(&example()), expected);
     }

@@ -30,7 +30,8 @@ pub(super) struct Path {
 pub(super) struct Shaded {
     pub(super) path: Path,
     pub(super) surface: Surface,
-    /// Unit direction from the eye, or the surface before, to this one.
+    /// Direction from the eye, or the surface before, to this one; a unit vector where the surface
+    /// has highlights, mirrors or refracts.
     pub(super) dir: Vec3,
     /// Where rays start that leave the surface.
     pub(super) origin: Vec3,
@@ -200,8 +201,10 @@ impl Batch {
             let seen = if hit.is_hit() {
                 let surface = context.scene.surface(ray, hit);
                 let origin = surface.origin_outside();
-                self.shaded.push(Shaded { path: *path, surface, dir: ray.dir.normalize(), origin });
-                context.finishes[surface.material].ambient
+                let finish = &context.finishes[surface.material];
+                let dir = if finish.goes_on() { ray.dir.normalize() } else { ray.dir };
+                self.shaded.push(Shaded { path: *path, surface, dir, origin });
+                finish.ambient
             } else {
                 context.scene.options.background
             };
@@ -213,6 +216,7 @@ impl Batch {
 
     fn shadows_of_all_lights(&mut self, context: &Context<'_>) {
         let mut shadows = std::mem::take(&mut self.shadows);
+        shadows.receive(context, &self.shaded);
         for light in 0..context.scene.lights.len() {
             shadows.add_light(context, light, self);
         }

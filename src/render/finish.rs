@@ -24,6 +24,8 @@ pub(super) struct Finish {
     pub(super) transparency: f32,
     /// Whether nothing passes.
     pub(super) opaque: bool,
+    /// Whether it sends on light by its diffuse reflection.
+    pub(super) matte: bool,
     /// Whether it has highlights.
     pub(super) shines: bool,
 }
@@ -31,15 +33,17 @@ pub(super) struct Finish {
 impl Finish {
     pub(super) fn new(material: &Material) -> Self {
         let transparency = 1.0 - material.alpha;
+        let diffuse = material.alpha * material.reflectance;
         Self {
             ambient: material.alpha * material.ambient_light * material.reflectance,
-            diffuse: material.alpha * material.reflectance,
+            diffuse,
             specular: material.specular,
             exponent: Exponent::new(material.shininess),
             clear: (Color::ONE - material.specular).max(Color::ZERO) * transparency,
             refractive_index: material.refractive_index,
             transparency,
             opaque: material.alpha >= 1.0,
+            matte: diffuse != Color::ZERO,
             shines: material.specular != Color::ZERO,
         }
     }

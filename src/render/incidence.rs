@@ -1,156 +1,178 @@
-//! How light falls on a surface: from four points of a light at a time.
+//! How light falls on surfaces: from one point of a light to each of sixteen surfaces at a time.
 //!
 //! Every operation is done lane by lane and rounds as that of a single value, so what a point adds
-//! depends neither on its lane nor on the points beside it.
+//! depends neither on its lane, nor on the surfaces beside it, nor on the instruction set.
 
-use glam::{Vec3, Vec4};
+use glam::Vec3;
 
 use crate::scene::Light;
+use crate::simd::{Lanes, Lanes3, Mask, Row as _, Simd, dot, ones, splat3, sub};
 
-use super::batch::Shaded;
-use super::finish::Finish;
+use super::optics::Exponent;
+use super::receivers::{LANES, Receivers, Row, Rows3};
 
-/// Points of a light that are computed with together.
-pub(super) const LANES: usize = 4;
-
-/// x, y and z of several vectors.
-type Lanes3 = [Vec4; 3];
-
-/// The place of a light, in every lane: corner + u·side_u + v·side_v.
-pub(super) struct LightPlane {
-    corner: Lanes3,
-    side_u: Lanes3,
-    side_v: Lanes3,
-}
-
-/// A surface on which light falls, in every lane.
-pub(super) struct Receiver<'a> {
-    finish: &'a Finish,
-    origin: Lanes3,
-    normal: Lanes3,
-    geometric_normal: Lanes3,
-    view_dir: Lanes3,
-}
-
-/// What four points of a light would add to what a surface sends to the eye.
+/// The place of a light: corner + u·side_u + v·side_v.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Incidence {
-    /// From the surface to the points.
-    pub(super) to_light: Lanes3,
-    /// A bit for each lane: whether light may arrive.
-    pub(super) lanes: u32,
-    /// max(0, n·l)
-    pub(super) diffuse: Vec4,
-    /// max(0, n·h)^shininess; 0 without highlights.
-    pub(super) specular: Vec4,
+pub(super) struct LightPlane {
+    corner: Vec3,
+    side_u: Vec3,
+    side_v: Vec3,
 }
 
 impl LightPlane {
     pub(super) fn new(light: &Light) -> Self {
         match *light {
-            Light::Point { position, .. } => Self {
-                corner: splat(position),
-                side_u: splat(Vec3::ZERO),
-                side_v: splat(Vec3::ZERO),
-            },
-            Light::Area { corner, side_u, side_v, .. } => {
-                Self { corner: splat(corner), side_u: splat(side_u), side_v: splat(side_v) }
+            Light::Point { position, .. } => {
+                Self { corner: position, side_u: Vec3::ZERO, side_v: Vec3::ZERO }
             }
+            Light::Area { corner, side_u, side_v, .. } => Self { corner, side_u, side_v },
         }
     }
 
-    /// The points at up to four samples; the lanes beyond repeat the last.
+    /// The points at a place of the unit square for each lane.
     #[inline(always)]
-    fn points(&self, samples: &[[f32; 2]]) -> Lanes3 {
-        let last = samples.len() - 1;
-        let [u, v] = match samples {
-            [a, b, c, d] => [Vec4::new(a[0], b[0], c[0], d[0]), Vec4::new(a[1], b[1], c[1], d[1])],
-            _ => [0, 1].map(|i| Vec4::from_array(std::array::from_fn(|k| samples[k.min(last)][i]))),
-        };
-        std::array::from_fn(|axis| {
-            self.corner[axis] + u * self.side_u[axis] + v * self.side_v[axis]
-        })
+    fn points<S: Simd>(&self, u: S::F16, v: S::F16) -> Lanes3<S::F16> {
+        let corner: Lanes3<S::F16> = splat3(self.corner.to_array());
+        let side_u: Lanes3<S::F16> = splat3(self.side_u.to_array());
+        let side_v: Lanes3<S::F16> = splat3(self.side_v.to_array());
+        [
+            corner[0] + u * side_u[0] + v * side_v[0],
+            corner[1] + u * side_u[1] + v * side_v[1],
+            corner[2] + u * side_u[2] + v * side_v[2],
+        ]
     }
 }
 
-impl<'a> Receiver<'a> {
-    #[inline(always)]
-    pub(super) fn new(shaded: &Shaded, finish: &'a Finish) -> Self {
-        Self {
-            finish,
-            origin: splat(shaded.origin),
-            normal: splat(shaded.surface.normal),
-            geometric_normal: splat(shaded.surface.geometric_normal),
-            view_dir: splat(shaded.dir),
-        }
-    }
+/// What one point of a light for each of sixteen surfaces would add to what they send to the eye.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Incidence {
+    /// A bit for each lane: whether light that adds anything may arrive. The numbers of the other
+    /// lanes are 0; if light arrives in none, they are not set.
+    pub(super) lanes: u32,
+    /// max(0, n·l)
+    pub(super) diffuse: Row,
+    /// max(0, n·h)^shininess; not set if no surface with highlights is reached.
+    pub(super) specular: Row,
+}
 
-    /// Light from one to four samples of a light.
+impl Incidence {
+    /// Light from the points at `u`, `v` of a light; also gives the ways from the surfaces to them.
     ///
     /// Light does not arrive where the answer is known: an opaque surface is in its own shadow on
     /// the side away from the light, and light that falls from behind the shading normal on a
     /// surface without highlights adds nothing.
     #[inline(always)]
-    pub(super) fn light(&self, plane: &LightPlane, samples: &[[f32; 2]]) -> Incidence {
-        let points = plane.points(samples);
-        let to_light: Lanes3 = std::array::from_fn(|axis| points[axis] - self.origin[axis]);
-        let mut lanes = (1u32 << samples.len()) - 1;
-        if self.finish.opaque {
-            lanes &= dot(self.geometric_normal, to_light).cmpgt(Vec4::ZERO).bitmask();
+    pub(super) fn fall<S: Simd>(
+        &mut self,
+        plane: &LightPlane,
+        receivers: &Receivers,
+        u: S::F16,
+        v: S::F16,
+        to_light: &mut Rows3,
+    ) {
+        let zero = S::F16::splat(0.0);
+        let way = sub(plane.points::<S>(u, v), load::<S>(&receivers.origin));
+        way[0].store(&mut to_light[0]);
+        way[1].store(&mut to_light[1]);
+        way[2].store(&mut to_light[2]);
+        let outside = zero.lt(dot(load::<S>(&receivers.geometric_normal), way)).bits();
+        let reached = receivers.present & (outside | !receivers.opaque);
+        self.lanes = 0;
+        if reached == 0 {
+            return; // As on the side of things away from a light.
         }
-        let length_recip = dot(to_light, to_light).sqrt().recip();
-        let cosine = dot(self.normal, to_light) * length_recip;
-        let in_front = cosine.cmpgt(Vec4::ZERO);
-        let mut specular = Vec4::ZERO;
-        if self.finish.shines {
-            specular = self.highlight(to_light.map(|row| row * length_recip), lanes);
-        } else {
-            lanes &= in_front.bitmask();
+        let length_recip = S::F16::splat(1.0) / dot(way, way).sqrt();
+        let normal = load::<S>(&receivers.normal);
+        let cosine = dot(normal, way) * length_recip;
+        let in_front = zero.lt(cosine).bits() & reached;
+        let mut lanes = in_front & receivers.matte;
+        if receivers.shining & reached != 0 {
+            let l = [way[0] * length_recip, way[1] * length_recip, way[2] * length_recip];
+            let half = sub(l, load::<S>(&receivers.view_dir));
+            let cosine = dot(normal, half) * (S::F16::splat(1.0) / dot(half, half).sqrt());
+            // A NaN, where light comes straight from behind, is not above 0 and gives no highlight.
+            let above = zero.lt(cosine).bits() & receivers.shining & reached;
+            let base = cosine.min(S::F16::splat(1.0)).select(above, zero);
+            let power = power::<S>(receivers, base, above).select(above, zero);
+            power.store(&mut self.specular);
+            lanes |= zero.lt(power).bits();
         }
-        let diffuse = Vec4::select(in_front, cosine, Vec4::ZERO);
-        Incidence { to_light, lanes, diffuse, specular }
-    }
-
-    /// The highlight of light from unit directions `l`.
-    #[inline(always)]
-    fn highlight(&self, l: Lanes3, lanes: u32) -> Vec4 {
-        let half: Lanes3 = std::array::from_fn(|axis| l[axis] - self.view_dir[axis]);
-        let cosine = dot(self.normal, half) * dot(half, half).sqrt().recip();
-        // A NaN, where light comes straight from behind, is not above 0 and gives no highlight.
-        let above = cosine.cmpgt(Vec4::ZERO);
-        let power = self.finish.exponent.power(cosine.min(Vec4::ONE), lanes & above.bitmask());
-        Vec4::select(above, power, Vec4::ZERO)
+        cosine.select(in_front & receivers.matte, zero).store(&mut self.diffuse);
+        self.lanes = lanes;
     }
 }
 
+/// Bases between 0 and 1 to the power of their surfaces' highlights.
 #[inline(always)]
-fn splat(v: Vec3) -> Lanes3 {
-    v.to_array().map(Vec4::splat)
+fn power<S: Simd>(receivers: &Receivers, base: S::F16, lanes: u32) -> S::F16 {
+    if let Some(Exponent::Whole(mut rest)) = receivers.exponent {
+        // The steps of `Exponent::power`.
+        let (mut square, mut product) = (base, S::F16::splat(1.0));
+        while rest > 0 {
+            if rest & 1 == 1 {
+                product = product * square;
+            }
+            square = square * square;
+            rest >>= 1;
+        }
+        return product;
+    }
+    let (mut bases, mut powers) = ([0.0; LANES], [0.0; LANES]);
+    base.store(&mut bases);
+    for lane in ones(lanes) {
+        powers[lane % LANES] = receivers.exponents[lane % LANES].power(bases[lane % LANES]);
+    }
+    S::F16::load(&powers)
 }
 
 #[inline(always)]
-fn dot(a: Lanes3, b: Lanes3) -> Vec4 {
-    a[0] * b[0] + (a[1] * b[1] + a[2] * b[2])
+fn load<S: Simd>(rows: &Rows3) -> Lanes3<S::F16> {
+    [S::F16::load(&rows[0]), S::F16::load(&rows[1]), S::F16::load(&rows[2])]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::description::Material;
-    use crate::math::Color;
+    use crate::math::{Color, Random};
+    use crate::render::finish::Finish;
+    use crate::render::receivers::Receiver;
+    use crate::simd::{Kernel, dispatch};
 
-    /// What light from a point adds on a surface at the origin with normal +z, seen from above.
-    fn lit(material: &Material, point: Vec3) -> Incidence {
-        let up = splat(Vec3::Z);
-        let receiver = Receiver {
-            finish: &Finish::new(material),
-            origin: splat(Vec3::ZERO),
-            normal: up,
-            geometric_normal: up,
-            view_dir: splat(-Vec3::Z),
-        };
+    struct Fall<'a> {
+        plane: &'a LightPlane,
+        receivers: &'a Receivers,
+        u: Row,
+        v: Row,
+    }
+
+    impl Kernel for Fall<'_> {
+        type Output = (Incidence, Rows3);
+        #[inline(always)]
+        fn run<S: Simd>(self) -> Self::Output {
+            let (mut incidence, mut to_light) = (Incidence::default(), Rows3::default());
+            let (u, v) = (S::F16::load(&self.u), S::F16::load(&self.v));
+            incidence.fall::<S>(self.plane, self.receivers, u, v, &mut to_light);
+            (incidence, to_light)
+        }
+    }
+
+    fn fall(light: &Light, receivers: &Receivers, u: Row, v: Row) -> (Incidence, Rows3) {
+        dispatch(Fall { plane: &LightPlane::new(light), receivers, u, v })
+    }
+
+    /// What light from a point adds on a surface at the origin with normal +z, seen from above:
+    /// whether any arrives, diffuse, and highlight.
+    fn lit(material: &Material, point: Vec3) -> (bool, f32, f32) {
+        let finish = &Finish::new(material);
+        let [origin, normal, view_dir] = [Vec3::ZERO, Vec3::Z, -Vec3::Z];
+        let surface = Receiver { finish, origin, normal, geometric_normal: normal, view_dir };
         let light = Light::Point { position: point, color: Color::ONE };
-        receiver.light(&LightPlane::new(&light), &[[0.0; 2]])
+        let mut receivers = Receivers::NONE;
+        receivers.lay_out([surface; 3].into_iter());
+        let (incidence, _) = fall(&light, &receivers, [0.0; LANES], [0.0; LANES]);
+        assert!([0, 0b111].contains(&incidence.lanes));
+        (incidence.lanes != 0, incidence.diffuse[2], incidence.specular[2])
     }
 
     fn shiny(shininess: f32) -> Material {
@@ -159,69 +181,80 @@ mod tests {
 
     #[test]
     fn light_from_the_eye_gives_full_diffuse_and_full_highlight() {
-        let incidence = lit(&shiny(50.0), 7.0 * Vec3::Z);
-        assert_eq!(incidence.lanes, 1);
-        assert_eq!((incidence.diffuse[0], incidence.specular[0]), (1.0, 1.0));
+        assert_eq!(lit(&shiny(50.0), 7.0 * Vec3::Z), (true, 1.0, 1.0));
     }
 
     #[test]
     fn slanted_light_falls_off_with_the_cosine_and_highlights_with_its_power() {
         let (sin, cos) = 60f32.to_radians().sin_cos();
         for shininess in [10.0, 2.5] {
-            let incidence = lit(&shiny(shininess), 3.0 * Vec3::new(sin, 0.0, cos));
-            assert!((incidence.diffuse[0] - 0.5).abs() < 1e-6);
+            let (_, diffuse, specular) = lit(&shiny(shininess), 3.0 * Vec3::new(sin, 0.0, cos));
+            assert!((diffuse - 0.5).abs() < 1e-6);
             let expected = 30f32.to_radians().cos().powf(shininess);
-            assert!((incidence.specular[0] - expected).abs() < 1e-5);
+            assert!((specular - expected).abs() < 1e-5);
         }
     }
 
     #[test]
-    fn light_arrives_from_where_it_can() {
+    fn light_arrives_from_where_it_can_and_where_it_adds_something() {
         let behind = -Vec3::Z;
-        assert_eq!(lit(&shiny(3.0), behind).lanes, 0);
+        assert!(!lit(&shiny(3.0), behind).0);
         let clear = Material { alpha: 0.5, ..shiny(3.0) };
-        let through = lit(&clear, Vec3::new(1.0, 0.0, -0.1));
-        assert_eq!((through.lanes, through.diffuse[0]), (1, 0.0));
-        assert!(through.specular[0] > 0.0);
-        assert_eq!(lit(&Material { alpha: 0.5, ..Material::default() }, behind).lanes, 0);
+        let (arrives, diffuse, specular) = lit(&clear, Vec3::new(1.0, 0.0, -0.1));
+        assert!(arrives && diffuse == 0.0 && specular > 0.0);
+        assert!(!lit(&Material { alpha: 0.5, ..Material::default() }, behind).0);
+        let black = Material { reflectance: Color::ZERO, ..Material::default() };
+        assert!(!lit(&black, Vec3::Z).0);
     }
 
     #[test]
     fn a_point_at_the_surface_gives_no_nan() {
         for material in [Material::default(), shiny(2.0), Material { alpha: 0.5, ..shiny(2.0) }] {
-            let incidence = lit(&material, Vec3::ZERO);
-            assert_eq!((incidence.diffuse[0], incidence.specular[0]), (0.0, 0.0));
+            assert_eq!(lit(&material, Vec3::ZERO), (false, 0.0, 0.0));
         }
     }
 
+    /// Surfaces of three materials here and there.
+    fn some_surfaces(finishes: &[Finish; 3]) -> Vec<Receiver<'_>> {
+        let mut random = Random::new(&[3]);
+        let mut vector = || Vec3::from_array(std::array::from_fn(|_| random.next_f32() - 0.5));
+        let receiver = |finish| Receiver {
+            finish,
+            origin: vector(),
+            normal: vector().normalize(),
+            geometric_normal: vector().normalize(),
+            view_dir: vector().normalize(),
+        };
+        finishes.iter().cycle().take(LANES).map(receiver).collect()
+    }
+
     #[test]
-    fn what_a_point_adds_does_not_depend_on_its_lane() {
+    fn what_a_point_adds_depends_neither_on_its_lane_nor_on_its_neighbours() {
         let light = Light::Area {
             corner: Vec3::new(-1.0, -2.0, 1.5),
             side_u: Vec3::new(2.0, 0.0, 0.5),
             side_v: Vec3::new(0.0, 3.0, -1.0),
             color: Color::ONE,
         };
-        let plane = LightPlane::new(&light);
-        let finish = Finish::new(&shiny(7.0));
-        let normal = splat(Vec3::new(0.6, 0.0, 0.8));
-        let receiver = Receiver {
-            finish: &finish,
-            origin: splat(Vec3::new(0.1, 0.2, 0.3)),
-            normal,
-            geometric_normal: normal,
-            view_dir: splat(Vec3::new(0.0, 0.6, -0.8)),
-        };
-        let samples = [[0.1, 0.9], [0.5, 0.3], [0.7, 0.7], [0.99, 0.01]];
-        let together = receiver.light(&plane, &samples);
-        for (lane, sample) in samples.iter().enumerate() {
-            let alone = receiver.light(&plane, std::slice::from_ref(sample));
-            let of = |i: &Incidence, lane: usize| {
-                let [x, y, z] = i.to_light.map(|row| row[lane]);
-                [x, y, z, i.diffuse[lane], i.specular[lane]].map(f32::to_bits)
-            };
-            assert_eq!(of(&together, lane), of(&alone, 0));
-            assert_eq!(together.lanes >> lane & 1, alone.lanes);
+        let (u, v) = (std::array::from_fn(|i| i as f32 / 16.0), [0.3; LANES]);
+        let matte = Finish::new(&Material::default());
+        let clear = Finish::new(&Material { alpha: 0.5, ..shiny(7.0) });
+        for finishes in [[matte, clear, Finish::new(&shiny(2.5))], [matte, clear, clear]] {
+            let surfaces = some_surfaces(&finishes);
+            let mut receivers = Receivers::NONE;
+            receivers.lay_out(surfaces.iter().copied());
+            let (together, ways) = fall(&light, &receivers, u, v);
+            assert!(together.lanes.count_ones() > 4);
+            for lane in 0..LANES {
+                receivers.lay_out(std::iter::once(surfaces[lane]));
+                let (alone, way) = fall(&light, &receivers, [u[lane]; LANES], v);
+                assert_eq!(together.lanes >> lane & 1, alone.lanes);
+                let bits = |row: [f32; 5]| row.map(f32::to_bits);
+                let of = |i: &Incidence, [x, y, z]: &Rows3, lane: usize| {
+                    bits([x[lane], y[lane], z[lane], i.diffuse[lane], i.specular[lane]])
+                };
+                assert_eq!(of(&together, &ways, lane), of(&alone, &way, 0));
+            }
         }
     }
 }

@@ -14,6 +14,7 @@ mod incidence;
 mod light_samples;
 mod observer;
 mod optics;
+mod receivers;
 mod settings;
 mod shadows;
 mod stats;

@@ -76,6 +76,12 @@ impl StageTimes {
         RayClass::ALL.iter().map(|&class| self.of(Stage::Tracing(class))).sum()
     }
 
+    /// The time of all that is not tracing.
+    #[must_use]
+    pub fn outside_tracing(&self) -> Duration {
+        self.total() - self.tracing()
+    }
+
     /// The share of a stage in the time of all; `None` if there is none.
     #[must_use]
     pub fn share(&self, stage: Stage) -> Option<f64> {
@@ -86,6 +92,12 @@ impl StageTimes {
     #[must_use]
     pub fn tracing_share(&self) -> Option<f64> {
         quotient(self.tracing(), self.total())
+    }
+
+    /// The share of all that is not tracing; `None` if there is no time at all.
+    #[must_use]
+    pub fn outside_tracing_share(&self) -> Option<f64> {
+        quotient(self.outside_tracing(), self.total())
     }
 
     /// Adds to a stage.
@@ -136,6 +148,7 @@ mod tests {
         assert_eq!(times.tracing(), Duration::from_secs(1 + 2 + 3 + 4));
         assert_eq!(times.total(), Duration::from_secs(28 + 10));
         assert_eq!(times.tracing_share(), Some(10.0 / 38.0));
+        assert_eq!(times.outside_tracing_share(), Some(28.0 / 38.0));
         assert_eq!(times.share(Stage::Shading), Some(16.0 / 38.0));
         assert_eq!(StageTimes::default().tracing_share(), None);
         let mut twice = times;

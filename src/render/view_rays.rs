@@ -1,6 +1,6 @@
 //! From a pixel to the rays of its samples.
 
-use glam::DVec2;
+use glam::{DVec2, Vec2, Vec3};
 
 use crate::math::{Random, Ray, unit_pair};
 use crate::scene::Camera;
@@ -28,33 +28,39 @@ pub(super) struct ViewRays {
     camera: Camera,
     seed: u64,
     /// For each sample of a pixel the lower left corner of its cell, from the pixel's centre.
-    cells: Vec<DVec2>,
+    cells: Vec<Vec2>,
     /// The side of a cell; 0 if there is one sample, in the centre.
-    cell_side: f64,
+    cell_side: f32,
+    /// From the centre of a pixel to those to the right and above.
+    steps: [Vec3; 2],
 }
 
 impl ViewRays {
     pub(super) fn new(camera: Camera, settings: &Settings) -> Self {
         let n = settings.aa;
-        let corner = |k: u32| f64::from(k) / f64::from(n) - 0.5;
+        let corner = |k: u32| k as f32 / n as f32 - 0.5;
         let cells = match n {
-            0 => vec![DVec2::ZERO],
-            _ => (0..n * n).map(|k| DVec2::new(corner(k % n), corner(k / n))).collect(),
+            0 => vec![Vec2::ZERO],
+            _ => (0..n * n).map(|k| Vec2::new(corner(k % n), corner(k / n))).collect(),
         };
-        let cell_side = if n == 0 { 0.0 } else { 1.0 / f64::from(n) };
-        Self { camera, seed: settings.seed, cells, cell_side }
+        let cell_side = if n == 0 { 0.0 } else { 1.0 / n as f32 };
+        let steps = camera.steps();
+        Self { camera, seed: settings.seed, cells, cell_side, steps }
     }
 
     /// For each sample of a pixel its random key, and the ray through a random place in its cell.
+    ///
+    /// The way from the pixel's centre is added in `f32`: it is so short that its error is far
+    /// below that of the direction's last rounding.
     #[inline]
     pub(super) fn of_pixel(&self, pixel: Pixel) -> impl Iterator<Item = (u64, Ray)> {
-        let center = self.center(pixel);
+        let center = self.through_center(pixel);
+        let [right, up] = self.steps;
         let mut keys = Random::new(&[self.seed, pixel.key()]);
         self.cells.iter().map(move |&cell| {
             let key = keys.next_u64();
-            let place = DVec2::from_array(unit_pair(key).map(f64::from));
-            let point = center + (cell + place * self.cell_side);
-            (key, self.camera.ray(point.x, point.y))
+            let place = cell + Vec2::from_array(unit_pair(key)) * self.cell_side;
+            (key, Ray { dir: center.dir + (place.x * right + place.y * up), ..center })
         })
     }
 

@@ -78,6 +78,13 @@ impl Camera {
         Ray::new(self.eye, (self.corner + i * self.step_right + j * self.step_up).as_vec3())
     }
 
+    /// From one point of the picture to those a pixel further to the right and above: what a ray's
+    /// direction changes by.
+    #[must_use]
+    pub fn steps(&self) -> [Vec3; 2] {
+        [self.step_right, self.step_up].map(|step| step.as_vec3())
+    }
+
     /// The eye.
     #[must_use]
     pub fn eye(&self) -> Vec3 {

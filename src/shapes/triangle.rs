@@ -93,6 +93,7 @@ impl Triangle {
     }
 
     /// The point at barycentric weights `u` (second corner) and `v` (third corner).
+    #[inline]
     #[must_use]
     pub fn surface_point(&self, u: f32, v: f32) -> SurfacePoint {
         let [v0, e1, e2] = [self.v0, self.e1, self.e2].map(Vec3::as_dvec3);
@@ -113,9 +114,11 @@ impl Triangle {
 /// longest edge. For slivers, whose area is all rounding, the distance is cut to a thousandth of
 /// that edge: beyond it the offset itself would show.
 fn clearance(e1: DVec3, e2: DVec3, double_area_recip: f64) -> f64 {
+    const FACTOR: f64 = 15.0 * UNIT_ROUNDOFF;
     let (a, b) = (e1.length_squared(), e2.length_squared());
-    let error = 15.0 * UNIT_ROUNDOFF * (a * b).sqrt() * double_area_recip;
-    error.min(1e-3) * a.max(b).sqrt()
+    // With squares, there is one root to draw.
+    let error = FACTOR * double_area_recip;
+    (a.max(b) * (error * error * (a * b)).min(1e-3 * 1e-3)).sqrt()
 }
 
 #[cfg(test)]

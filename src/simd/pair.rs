@@ -112,6 +112,10 @@ macro_rules! row_of_two {
                 PairMask(self.0.le(other.0), self.1.le(other.1))
             }
             #[inline(always)]
+            fn lt(self, other: Self) -> Self::Mask {
+                PairMask(self.0.lt(other.0), self.1.lt(other.1))
+            }
+            #[inline(always)]
             fn select(self, mask: u32, other: Self) -> Self {
                 Self(self.0.select(mask, other.0), self.1.select(mask >> $half, other.1))
             }

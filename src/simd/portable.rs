@@ -48,6 +48,10 @@ impl Row<4> for Vec4 {
         self.cmple(other)
     }
     #[inline(always)]
+    fn lt(self, other: Self) -> BVec4A {
+        self.cmplt(other)
+    }
+    #[inline(always)]
     fn select(self, mask: u32, other: Self) -> Self {
         let lane = |i: u32| mask >> i & 1 != 0;
         let mask = BVec4A::new(lane(0), lane(1), lane(2), lane(3));

@@ -33,6 +33,8 @@ pub trait Row<const N: usize>: Lanes {
     fn max(self, other: Self) -> Self;
     /// Where `self ≤ other`; false where either is NaN.
     fn le(self, other: Self) -> Self::Mask;
+    /// Where `self < other`; false where either is NaN.
+    fn lt(self, other: Self) -> Self::Mask;
     /// `self` where the bits have a one, `other` elsewhere.
     fn select(self, mask: u32, other: Self) -> Self;
     /// The smallest lane; of numbers alone.

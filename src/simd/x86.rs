@@ -218,6 +218,10 @@ macro_rules! eight {
                 $mask(op!($cmp::<_CMP_LE_OQ>(self.0, other.0)))
             }
             #[inline(always)]
+            fn lt(self, other: Self) -> $mask {
+                $mask(op!($cmp::<_CMP_LT_OQ>(self.0, other.0)))
+            }
+            #[inline(always)]
             fn select(self, mask: u32, other: Self) -> Self {
                 Self($select(mask, self.0, other.0))
             }
@@ -300,6 +304,10 @@ impl Row<16> for Sixteen {
     #[inline(always)]
     fn le(self, other: Self) -> SixteenBits {
         SixteenBits(op!(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(self.0, other.0)))
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> SixteenBits {
+        SixteenBits(op!(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(self.0, other.0)))
     }
     #[inline(always)]
     fn select(self, mask: u32, other: Self) -> Self {

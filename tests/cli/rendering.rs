@@ -4,7 +4,7 @@ use std::fs;
 
 use srt::image_io::Picture;
 
-use crate::support::{folder, good_run_in, names, picture, rendered, run_in};
+use crate::support::{folder, good_run_in, names, picture, rendered, run_in, srt};
 
 #[test]
 fn a_scene_becomes_a_picture_and_a_line() {
@@ -40,6 +40,23 @@ fn neither_structure_nor_build_nor_threads_change_a_byte() {
     }
     assert!(rendered(folder.path(), "b.exr", &["--stats"]) == reference, "counting");
     assert!(rendered(folder.path(), "b.exr", &["--seed", "1"]) != reference);
+}
+
+#[test]
+fn no_instruction_set_changes_a_byte() {
+    let folder = folder();
+    let options = ["--light-samples", "3"];
+    let reference = rendered(folder.path(), "a.exr", &options);
+    for isa in ["portable", "avx2", "avx512"] {
+        let arguments = [&["scene.sce", "b.exr"], &options[..]].concat();
+        let output =
+            srt(&arguments).current_dir(folder.path()).env("SRT_ISA", isa).output().unwrap();
+        if String::from_utf8_lossy(&output.stderr).contains("lacks the instruction set") {
+            continue; // Not this processor's.
+        }
+        assert!(output.status.success(), "{isa}");
+        assert!(fs::read(folder.path().join("b.exr")).unwrap() == reference, "{isa}");
+    }
 }
 
 #[test]

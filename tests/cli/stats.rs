@@ -82,7 +82,13 @@ fn the_table_goes_to_standard_error() {
     let folder = folder();
     let run = good_run_in(folder.path(), &["scene.sce", "a.png", "--stats", "--quiet"]);
     assert_eq!(run.stdout, "");
-    for part in ["structure   bvh8, medium build\n", "B a triangle\n", "boxes/ray", "shadow  "] {
+    for part in [
+        "structure   bvh8, medium build\n",
+        "B a triangle\n",
+        "boxes/ray",
+        "shadow  ",
+        "all outside tracing ",
+    ] {
         assert!(run.stderr.contains(part), "{part}: {}", run.stderr);
     }
     assert!(!run.stderr.contains("M rays/s"), "{}", run.stderr);

@@ -28,6 +28,9 @@ pub struct Surface {
     clearance: f64,
 }
 
+/// A bound on the share of a number that rounding to `f32` changes it by, and a little more.
+const ROUNDING: f64 = UNIT_ROUNDOFF * (1.0 + 1e-6);
+
 impl Surface {
     /// Where a ray starts that leaves the surface on the side from which it is seen.
     #[inline]
@@ -43,20 +46,13 @@ impl Surface {
         self.offset(-self.geometric_normal)
     }
 
-    /// The point, moved off the surface to the side of `normal`; rounded away from it.
+    /// The point, moved off the surface to the side of `normal`, so that rounding to `f32` does
+    /// not bring it back: each coordinate is moved by as much as rounding moves it at most.
+    #[inline]
     fn offset(&self, normal: Vec3) -> Vec3 {
-        let moved = self.point + self.clearance * normal.as_dvec3();
-        let away = |exact: f64, direction: f32| {
-            let x = exact as f32;
-            if direction > 0.0 && f64::from(x) < exact {
-                x.next_up()
-            } else if direction < 0.0 && f64::from(x) > exact {
-                x.next_down()
-            } else {
-                x
-            }
-        };
-        Vec3::new(away(moved.x, normal.x), away(moved.y, normal.y), away(moved.z, normal.z))
+        let normal = normal.as_dvec3();
+        let moved = self.point + self.clearance * normal;
+        (moved + (ROUNDING * moved.abs()) * normal.signum()).as_vec3()
     }
 }
 
@@ -65,6 +61,7 @@ impl Scene {
     ///
     /// # Panics
     /// If `hit` is a miss, or not a hit of this scene.
+    #[inline]
     #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let object = &self.objects[hit.object as usize];
@@ -72,12 +69,14 @@ impl Scene {
         let own = self.own_point(object, transform.as_deref(), ray, hit);
         let (point, outward, clearance) = to_world(transform.as_deref(), &own);
         let facing = if outward.dot(ray.dir.as_dvec3()) <= 0.0 { outward } else { -outward };
-        let shading = self
-            .shading_normal(object, transform.as_deref(), hit)
-            .map_or(facing, |normal| if normal.dot(facing) < 0.0 { -normal } else { normal });
+        let geometric_normal = facing.as_vec3();
+        let shading = self.shading_normal(object, transform.as_deref(), hit);
+        let normal = shading.map_or(geometric_normal, |normal| {
+            if normal.dot(geometric_normal) < 0.0 { -normal } else { normal }
+        });
         Surface {
-            geometric_normal: facing.as_vec3(),
-            normal: shading.as_vec3(),
+            geometric_normal,
+            normal,
             from_inside: facing != outward,
             material: object.material,
             point,
@@ -86,6 +85,7 @@ impl Scene {
     }
 
     /// The point in the object's own space.
+    #[inline]
     fn own_point(
         &self,
         object: &Object,
@@ -108,20 +108,24 @@ impl Scene {
     }
 
     /// The interpolated unit normal in the world, for meshes that have one.
+    #[inline]
     fn shading_normal(
         &self,
         object: &Object,
         transform: Option<&Transform>,
         hit: &Hit,
-    ) -> Option<DVec3> {
+    ) -> Option<Vec3> {
         let Form::Mesh { mesh, normals: Normals::Interpolated } = object.form else { return None };
         let mesh = &self.meshes[mesh];
         let corners = mesh.normal_indices[hit.prim as usize];
-        let [a, b, c] = corners.map(|corner| mesh.normals[corner as usize].as_dvec3());
-        let (u, v) = (f64::from(hit.u), f64::from(hit.v));
-        let own = (1.0 - u - v) * a + u * b + v * c;
-        let world = transform.map_or(own, |t| t.normal_to_world() * own);
-        world.try_normalize()
+        let [a, b, c] = corners.map(|corner| mesh.normals[corner as usize]);
+        let own = (1.0 - hit.u - hit.v) * a + hit.u * b + hit.v * c;
+        match transform {
+            None => own.try_normalize(),
+            Some(transform) => {
+                Some((transform.normal_to_world() * own.as_dvec3()).try_normalize()?.as_vec3())
+            }
+        }
     }
 }
 
@@ -131,6 +135,7 @@ impl Scene {
 /// That distance is the shape's own clearance, seen in the world; the rounding of the starting
 /// point to `f32`; and what the trip of that point back to object space can move it by. The
 /// errors are vectors of bounds per axis; along the normal they are their product with |normal|.
+#[inline]
 fn to_world(transform: Option<&Transform>, own: &SurfacePoint) -> (DVec3, DVec3, f64) {
     let rounding = |point: DVec3| 2.0 * UNIT_ROUNDOFF * point.abs();
     let Some(transform) = transform else {
