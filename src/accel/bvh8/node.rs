@@ -117,7 +117,7 @@ impl Node {
     /// The row that begins at a place.
     #[inline(always)]
     fn row(&self, place: usize) -> &[u32; WIDTH] {
-        let behind = &self.words[place & (ROWS - 1) * WIDTH..];
+        let behind = &self.words[place & ((ROWS - 1) * WIDTH)..];
         behind.first_chunk().expect("rows are whole")
     }
 

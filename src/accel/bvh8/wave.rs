@@ -296,7 +296,7 @@ impl Waiting<'_> {
         counters: &mut C,
         answers: &mut [A],
     ) -> bool {
-        while let Some(&index) = self.fresh.next() {
+        for &index in self.fresh.by_ref() {
             if slot.load::<S>(index, &self.rays[index as usize], search.padding) {
                 slot.entries[1] = Child::node(0).0;
                 slot.height = 2;
