@@ -43,6 +43,12 @@ pub trait Packs: Sync {
     /// The primitives' own boxes, lane by lane: low and high corners.
     fn boxes<S: Simd>(&self, pack: usize) -> [Lanes3<S::F8>; 2];
 
+    /// Asks the caches for a pack that will be tested soon.
+    fn prefetch(&self, pack: usize);
+
+    /// Bytes of all packs.
+    fn bytes(&self) -> u64;
+
     /// One primitive's own box.
     fn bounds(&self, pack: usize, lane: usize) -> Aabb;
 
@@ -70,6 +76,14 @@ impl Packs for NoPacks {
     }
 
     fn boxes<S: Simd>(&self, _: usize) -> [Lanes3<S::F8>; 2] {
+        match *self {}
+    }
+
+    fn prefetch(&self, _: usize) {
+        match *self {}
+    }
+
+    fn bytes(&self) -> u64 {
         match *self {}
     }
 

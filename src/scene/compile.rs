@@ -1,5 +1,6 @@
 //! From the scene as written to the scene as traced.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3, Vec3};
@@ -18,7 +19,8 @@ impl Scene {
     /// # Errors
     /// All objects, lights and cameras of which the transform or frame is degenerate, or that leave
     /// the range in which the formulas hold in single precision: coordinates up to 10⁹, sizes from
-    /// 10⁻⁹ (see `scene/range.rs` for why).
+    /// 10⁻⁹ (see `scene/range.rs` for why). Of objects that stand at one place in the text, the
+    /// first.
     ///
     /// # Panics
     /// If an object refers to a mesh or a material that is not there.
@@ -72,20 +74,26 @@ fn compile_objects(description: &SceneDescription, mesh_bounds: &[Aabb]) -> Comp
     // Those in error leave a gap in the ids of those that are not.
     let mut ids = Vec::with_capacity(count);
     let mut errors = Vec::new();
+    // Of what `repeat` makes many of, one is enough.
+    let mut told = HashSet::new();
+    let mut is_first = |id: usize| told.insert(description.objects[id].span.start);
     for (id, object) in description.objects.iter().enumerate() {
         match compile_object(id, object, mesh_bounds, &mut compiled.transforms) {
             Ok(object) => {
                 compiled.objects.push(object);
                 ids.push(id as u32);
             }
-            Err(error) => errors.push((id, error)),
+            Err(error) if is_first(id) => errors.push((id, error)),
+            Err(_) => {}
         }
     }
     let reach = reach(description, &compiled.objects);
     for (object, &id) in compiled.objects.iter().zip(&ids) {
         if !holds_in_own_space(object, &compiled.transforms, mesh_bounds, reach) {
             let object = id as usize;
-            errors.push((object, SceneError::OutOfRange { object }));
+            if is_first(object) {
+                errors.push((object, SceneError::OutOfRange { object }));
+            }
         }
     }
     errors.sort_by_key(|&(id, _)| id);
@@ -207,8 +215,12 @@ mod tests {
         objects: Vec<(Shape, DAffine3)>,
         change: impl FnOnce(&mut SceneDescription),
     ) -> Result<Scene, Vec<SceneError>> {
-        let object =
-            |(shape, transform)| description::Object { shape, transform, material: 0, span: 0..0 };
+        let object = |(place, (shape, transform))| description::Object {
+            shape,
+            transform,
+            material: 0,
+            span: place..place + 1,
+        };
         let mut description = SceneDescription {
             camera: description::Camera {
                 eye: DVec3::ZERO,
@@ -222,7 +234,7 @@ mod tests {
             options: Options { max_recursion: 0, aa: 0, background: Color::ZERO },
             materials: vec![Material::default()],
             meshes: vec![MeshReference { name: "a.obj".to_owned(), span: 0..0 }],
-            objects: objects.into_iter().map(object).collect(),
+            objects: objects.into_iter().enumerate().map(object).collect(),
             lights: vec![],
         };
         change(&mut description);
@@ -289,6 +301,18 @@ mod tests {
         let rest = [SceneError::LightOutOfRange { light: 1 }, SceneError::CameraOutOfRange];
         let expected: Vec<_> = objects.iter().chain(&rest).collect();
         assert_eq!(others.into_iter().map(|(_, error)| error).collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn of_what_stands_at_one_place_one_error_is_told() {
+        let ball = Shape::Ball { radius: 1.0, center: DVec3::X * 2e9 };
+        let objects = vec![(ball.clone(), DAffine3::IDENTITY), (ball, DAffine3::IDENTITY)];
+        let at_one_place = |description: &mut SceneDescription| {
+            description.objects[1].span = description.objects[0].span.clone();
+        };
+        let errors = compiled_with(objects.clone(), at_one_place).unwrap_err();
+        assert_eq!(errors, [SceneError::OutOfRange { object: 0 }]);
+        assert_eq!(compiled(objects).unwrap_err().len(), 2);
     }
 
     #[test]

@@ -60,8 +60,9 @@ impl<S: Simd> Group<S> {
             let inv_dir = inv_dir.max(S::F16::splat(-f32::MAX)).min(S::F16::splat(f32::MAX));
             let a = (low - (*origin + pad)) * inv_dir;
             let b = (high - (*origin - pad)) * inv_dir;
-            self.begin = self.begin.max(a.min(b));
-            self.end = self.end.min(a.max(b));
+            // Of a number and what is none, the second operand remains: no hit lies before it.
+            self.begin = a.min(b).max(self.begin);
+            self.end = a.max(b).min(self.end);
         }
     }
 

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::accel::{Bounded, PACK, Packs, Primitives, ScaledHit};
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray};
-use crate::simd::{Lanes3, Row, Simd, ones, splat3};
+use crate::simd::{Lanes3, Row, Simd, ones, prefetch, splat3};
 
 use super::Triangle;
 use super::triangle::scaled_hit;
@@ -248,6 +248,15 @@ impl Packs for TriangleSet {
             high[axis] = v0[axis].max(second).max(third);
         }
         [low, high]
+    }
+
+    #[inline(always)]
+    fn prefetch(&self, pack: usize) {
+        prefetch(&self.packs[pack]);
+    }
+
+    fn bytes(&self) -> u64 {
+        self.bytes()
     }
 
     #[inline(always)]

@@ -95,8 +95,9 @@ pub trait Kernel {
 /// Runs a kernel with the chosen instruction set; with the widest one, if the choice was an error.
 #[inline]
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    let isa = Isa::chosen().or_else(|_| Isa::from_name(None)).unwrap_or(Isa::Portable);
-    dispatch_to(isa, kernel)
+    static ISA: OnceLock<Isa> = OnceLock::new();
+    let choose = || Isa::chosen().or_else(|_| Isa::from_name(None)).unwrap_or(Isa::Portable);
+    dispatch_to(*ISA.get_or_init(choose), kernel)
 }
 
 /// Runs a kernel with one instruction set, or with the portable one if it is not present.

@@ -10,10 +10,12 @@ mod isa;
 mod lanes;
 mod pair;
 mod portable;
+mod prefetch;
 mod row;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
 pub use isa::{Isa, IsaError, Kernel, dispatch};
 pub use lanes::{Lanes, Lanes3, cross, dot, ones, sub};
+pub use prefetch::prefetch;
 pub use row::{Mask, Row, Simd, splat3};

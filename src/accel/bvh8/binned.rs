@@ -137,7 +137,9 @@ fn grow(part: Part<'_>, below: &mut [Bvh2Node], base: u32, depth: u32) -> Bvh2No
 }
 
 impl<'a> Part<'a> {
-    /// Parts at least two primitives.
+    /// Parts at least two primitives. Not inlined: its bins would stand in every frame of the
+    /// recursion.
+    #[inline(never)]
     fn split(self, depth: u32) -> [Self; 2] {
         let count = self.references.len();
         if count == 2 || depth >= USUAL_DEPTH {

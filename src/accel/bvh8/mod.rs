@@ -27,7 +27,7 @@ use smallvec::SmallVec;
 
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, Padding, Ray};
-use crate::simd::{Kernel, Simd, dispatch};
+use crate::simd::{Kernel, Simd, dispatch, prefetch};
 
 use self::answer::Answer;
 use self::binary::binary_tree;
@@ -38,16 +38,19 @@ use self::parked::Parked;
 use self::plan::Plan;
 use self::slab_ray::Sides;
 use super::{
-    Accel, Bounded, BuildConfig, BuildStages, Built, PACK, Primitives, StructureShape, Tree,
-    blocked_of_each, closest_of_each, obvhs_boxes,
+    Accel, Bounded, BuildConfig, BuildStages, Built, PACK, Packs as _, Primitives, StructureShape,
+    Tree, blocked_of_each, closest_of_each, obvhs_boxes,
 };
 
 /// The stack lives with the call up to this height, and on the heap beyond.
 const USUAL_HEIGHT: usize = 64;
 
 /// The most entries that the stacks of the kernels hold, a power of two: enough for trees of
-/// billions. Deeper trees are walked ray by ray.
+/// billions. In deeper ones, streams of rays are brought to each node.
 const HEIGHT: usize = 128;
+
+/// Bytes that a processor's caches hold, about.
+const CACHE: u64 = 1 << 25;
 
 /// A wide tree of boxes.
 #[derive(Clone, Debug)]
@@ -266,6 +269,9 @@ struct Search<'a, P: Primitives> {
     primitives: &'a P,
     packs: &'a P::Packs,
     padding: Padding,
+    /// Whether nodes and packs do not fit into the caches, so that rays ask for what they are about
+    /// to read.
+    large: bool,
 }
 
 impl<'a, P: Primitives> Search<'a, P> {
@@ -274,7 +280,19 @@ impl<'a, P: Primitives> Search<'a, P> {
     fn new(tree: &'a Bvh8, primitives: &'a P) -> Option<Self> {
         let packs = primitives.packs()?;
         let suits = !tree.nodes.is_empty() && tree.need < HEIGHT;
-        suits.then(|| Self { tree, primitives, packs, padding: primitives.padding() })
+        let bytes = size_of_val(&tree.nodes[..]) as u64 + packs.bytes();
+        let padding = primitives.padding();
+        suits.then_some(Self { tree, primitives, packs, padding, large: bytes > CACHE })
+    }
+
+    /// Asks the caches for what will be visited soon.
+    #[inline(always)]
+    fn prefetch(&self, child: Child) {
+        if child.is_leaf() {
+            self.packs.prefetch(child.block());
+        } else {
+            prefetch(&self.tree.nodes[child.index()]);
+        }
     }
 }
 
@@ -287,6 +305,39 @@ struct Scratch {
     /// packet has parted.
     scattered: Vec<u32>,
     parked: Parked,
+}
+
+/// Rays that are traced together: few enough to stay in a core's cache.
+const AT_ONCE: usize = 4096;
+
+impl Scratch {
+    /// Rays go down by sixteens where and as long as they are coherent, and else in waves.
+    #[inline(always)]
+    fn trace<S: Simd, P: Primitives, A: Answer, C: Counters>(
+        &mut self,
+        search: &Search<'_, P>,
+        rays: &[Ray],
+        answers: &mut [A],
+        counters: &mut C,
+    ) {
+        let Self { wave, packet, scattered, parked } = self;
+        scattered.clear();
+        parked.clear();
+        let (packets, rest) = rays.as_chunks::<{ packet::RAYS }>();
+        let (of_packets, _) = answers.as_chunks_mut::<{ packet::RAYS }>();
+        for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
+            let first = (number * packet::RAYS) as u32;
+            let numbered = (first, rays);
+            let outcome =
+                packet::search::<S, P, A, C>(search, numbered, answers, packet, parked, counters);
+            if outcome == Outcome::Mixed {
+                scattered.extend(first..first + packet::RAYS as u32);
+            }
+        }
+        scattered.extend((rays.len() - rest.len()) as u32..rays.len() as u32);
+        let waiting = (&scattered[..], &*parked);
+        wave::search::<S, P, A, C>(search, rays, waiting, answers, wave, counters);
+    }
 }
 
 thread_local! {
@@ -302,7 +353,6 @@ struct Trace<'a, P: Primitives, A, C> {
     counters: &'a mut C,
 }
 
-/// Rays go down by sixteens where and as long as they are coherent, and else in waves.
 impl<P: Primitives, A: Answer, C: Counters> Kernel for Trace<'_, P, A, C> {
     type Output = ();
 
@@ -310,23 +360,9 @@ impl<P: Primitives, A: Answer, C: Counters> Kernel for Trace<'_, P, A, C> {
     fn run<S: Simd>(self) {
         let Self { search, rays, answers, counters } = self;
         let mut scratch = SCRATCH.take().unwrap_or_default();
-        let Scratch { wave, packet, scattered, parked } = &mut *scratch;
-        scattered.clear();
-        parked.clear();
-        let (packets, rest) = rays.as_chunks::<{ packet::RAYS }>();
-        let (of_packets, _) = answers.as_chunks_mut::<{ packet::RAYS }>();
-        for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
-            let first = (number * packet::RAYS) as u32;
-            let numbered = (first, rays);
-            match packet::search::<S, P, A, C>(&search, numbered, answers, packet, parked, counters)
-            {
-                Outcome::Answered | Outcome::Parted => {}
-                Outcome::Mixed => scattered.extend(first..first + packet::RAYS as u32),
-            }
+        for (rays, answers) in rays.chunks(AT_ONCE).zip(answers.chunks_mut(AT_ONCE)) {
+            scratch.trace::<S, P, A, C>(&search, rays, answers, counters);
         }
-        scattered.extend((rays.len() - rest.len()) as u32..rays.len() as u32);
-        let waiting = (&scattered[..], &*parked);
-        wave::search::<S, P, A, C>(&search, rays, waiting, answers, wave, counters);
         SCRATCH.set(Some(scratch));
     }
 }

@@ -63,13 +63,13 @@ impl Child {
 
     /// A node.
     pub(super) fn node(index: usize) -> Self {
-        debug_assert!(index < Self::LIMIT);
+        assert!(index < Self::LIMIT, "a node out of range");
         Self(index as u32)
     }
 
     /// A leaf of 1 to 8 primitives that begin with a block.
     pub(super) fn leaf(block: usize, count: usize) -> Self {
-        debug_assert!((1..=WIDTH).contains(&count) && block < Self::LIMIT);
+        assert!((1..=WIDTH).contains(&count) && block < Self::LIMIT, "a leaf out of range");
         Self(LEAF_BIT | (count as u32 - 1) << COUNT_SHIFT | block as u32)
     }
 

@@ -139,6 +139,8 @@ impl<S: Simd> Packet<S> {
             packet.hull.inv_dir[0][axis] = S::F8::splat(inv.smallest());
             packet.hull.inv_dir[1][axis] = S::F8::splat(inv.largest());
         }
+        // An end that is no number would be the end of all.
+        fits &= rows[3].le(rows[7]).bits();
         if mixed || fits != ALL {
             return None;
         }
@@ -251,21 +253,28 @@ pub(super) enum Outcome {
 }
 
 /// How closely a packet holds together: a purse of rays. Each visit brings as many as take part in
-/// it and costs [`PRICE`](Self::PRICE), about what a visit of one ray in a wave costs beside that
-/// of a packet. When the purse is empty, the rays are better off in waves.
-struct Purse(u32);
+/// it and costs a price, about what a visit of one ray in a wave costs beside that of a packet. When
+/// the purse is empty, the rays are better off in waves.
+struct Purse {
+    rays: u32,
+    price: u32,
+}
 
 impl Purse {
-    const PRICE: u32 = 4;
     /// What a packet starts with, and the most that it can save for visits by few.
     const MOST: u32 = 32;
 
-    /// Whether there is enough for a visit by so many rays.
+    /// A packet waits for memory at each visit; a wave waits for all of its rays at once.
+    fn new(large: bool) -> Self {
+        Self { rays: Self::MOST, price: if large { 12 } else { 4 } }
+    }
+
+    /// Whether there is enough for a visit by some rays.
     #[inline(always)]
     fn pays(&mut self, active: u32) -> bool {
-        let with = (self.0 + active.count_ones()).min(Self::MOST);
-        self.0 = with.saturating_sub(Self::PRICE);
-        with >= Self::PRICE
+        let with = (self.rays + active.count_ones()).min(Self::MOST);
+        self.rays = with.saturating_sub(self.price);
+        with >= self.price
     }
 }
 
@@ -283,7 +292,7 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
     let Some((packet, ends)) = Packet::<S>::load(rays, search.padding) else {
         return Outcome::Mixed;
     };
-    let mut purse = Purse(Purse::MOST);
+    let mut purse = Purse::new(search.large);
     let zero = S::F16::splat(0.0);
     let mut best = Best { t: ends, u: zero, v: zero, prim: [NONE; RAYS], hit: 0 };
     let tree = search.tree;
@@ -306,14 +315,16 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
         }
         if !purse.pays(active) {
             A::of_packet(&best, answers);
-            stack.part::<S, A>(top + 1, first, &best, parked);
+            let mut hits = [Hit::MISS; RAYS];
+            best.write(&mut hits);
+            let blocked = if A::ANY { best.hit } else { 0 };
+            stack.part::<A>(top + 1, first, &hits, blocked, parked);
             return Outcome::Parted;
         }
         if child.is_leaf() {
             if C::COUNTS {
                 counters.primitives(child.count() * active.count_ones());
             }
-            let before = best.hit;
             test_leaf::<S, P::Packs, A>(
                 &packet,
                 search.packs,
@@ -325,7 +336,7 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
             if A::ANY && best.hit == ALL {
                 break;
             }
-            if !A::ANY || best.hit != before {
+            if !A::ANY {
                 end = S::F8::splat(best.t.largest());
             }
             continue;
@@ -343,7 +354,11 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
             }
             let (near, far) = packet.interval(node, lane, best.t);
             let entering = near.le(far).bits() & active;
-            entries[top % HEIGHT] = (Child(node.children()[lane]), entering);
+            let child = Child(node.children()[lane]);
+            entries[top % HEIGHT] = (child, entering);
+            if search.large {
+                search.prefetch(child);
+            }
             if !A::ANY {
                 near.store(&mut begins[top % HEIGHT]);
             }
@@ -355,32 +370,24 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
 }
 
 impl Stack {
-    /// Parks the rays that are still to visit something of the lowest `height` entries.
+    /// Parks the rays that are still to visit something of the lowest `height` entries before their
+    /// end, but for those that are `blocked`.
     #[inline(never)]
-    fn part<S: Simd, A: Answer>(
+    fn part<A: Answer>(
         &self,
         height: usize,
         first: u32,
-        best: &Best<S::F16>,
+        hits: &[Hit; RAYS],
+        blocked: u32,
         parked: &mut Parked,
     ) {
-        let mut hits = [Hit::MISS; RAYS];
-        best.write(&mut hits);
-        let mut left = 0;
-        for &(_, active) in &self.entries[..height] {
-            left |= active;
-        }
-        if A::ANY {
-            left &= !best.hit;
-        }
-        for ray in ones(left) {
+        for ray in ones(ALL & !blocked) {
             let entries = self.entries[..height].iter().zip(&self.begins[..height]);
-            let own = entries.filter(|((_, active), _)| active >> ray & 1 != 0);
-            parked.park(
-                first + ray as u32,
-                hits[ray],
-                own.map(|(entry, begins)| (entry.0, begins[ray])),
-            );
+            let own = entries.filter(|((_, active), begins)| {
+                active >> ray & 1 != 0 && (A::ANY || begins[ray] <= hits[ray].t)
+            });
+            let own = own.map(|(&(child, _), begins)| (child, begins[ray]));
+            parked.park(first + ray as u32, hits[ray], own);
         }
     }
 }

@@ -31,8 +31,7 @@ impl Parked {
         self.entries.clear();
     }
 
-    /// Parks a ray with what it is to visit, the nearest last. A ray without entries must not be
-    /// parked.
+    /// Parks a ray with what it is to visit, the nearest last; does nothing if that is nothing.
     pub(super) fn park(
         &mut self,
         ray: u32,
@@ -42,8 +41,9 @@ impl Parked {
         let first = self.entries.len();
         self.entries.extend(entries);
         let count = (self.entries.len() - first) as u32;
-        debug_assert!(count > 0, "nothing is left to be visited");
-        self.rays.push(ParkedRay { ray, best, first: first as u32, count });
+        if count > 0 {
+            self.rays.push(ParkedRay { ray, best, first: first as u32, count });
+        }
     }
 
     /// The rays.

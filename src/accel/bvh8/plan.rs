@@ -20,6 +20,9 @@ use super::node::WIDTH;
 pub(super) const NODE_COST: f32 = 1.0;
 pub(super) const PACK_COST: f32 = 1.0;
 
+/// Areas are cut to this, so that no sum of costs leaves what `f32` can hold.
+const LARGEST_AREA: f32 = 1e30;
+
 /// Down to this depth the children of a node are planned in parallel.
 const PARALLEL_DEPTH: u32 = 12;
 
@@ -160,8 +163,14 @@ impl Planner<'_> {
 
     fn leaf(&self, node: u32) -> Forests {
         let node = &self.tree.nodes[node as usize];
-        let cost = node.aabb().half_area() * self.packs(node.prim_count) * PACK_COST;
+        let cost =
+            node.aabb().half_area().min(LARGEST_AREA) * self.packs(node.prim_count) * PACK_COST;
         Forests { cost: [cost; WIDTH - 1], count: node.prim_count }
+    }
+
+    /// Half the surface of a node's box.
+    fn area(&self, node: u32) -> f32 {
+        self.tree.nodes[node as usize].aabb().half_area().min(LARGEST_AREA)
     }
 
     /// Tests that a leaf takes: one where packs are tested at once.
@@ -170,7 +179,7 @@ impl Planner<'_> {
     }
 
     fn inner(&self, node: u32, left: &Forests, right: &Forests) -> Forests {
-        let area = self.tree.nodes[node as usize].aabb().half_area();
+        let area = self.area(node);
         let count = left.count + right.count;
         let fits = count <= self.leaves.most;
         let as_leaf = if fits { area * self.packs(count) * PACK_COST } else { f32::INFINITY };

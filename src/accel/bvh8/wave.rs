@@ -179,6 +179,11 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
     }
     let zero = S::F8::splat(0.0);
     while nodes.length + leaves.length > 0 {
+        if search.large {
+            for place in 0..nodes.length {
+                search.prefetch(slots[usize::from(nodes.slot(place)) % RAYS].at);
+            }
+        }
         for place in 0..nodes.restart() {
             let id = nodes.slot(place);
             let slot = &mut slots[usize::from(id) % RAYS];
@@ -212,6 +217,11 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
             pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
         }
 
+        if search.large {
+            for place in 0..leaves.length {
+                search.prefetch(slots[usize::from(leaves.slot(place)) % RAYS].at);
+            }
+        }
         improved.restart();
         for place in 0..leaves.restart() {
             let id = leaves.slot(place);
@@ -305,13 +315,13 @@ impl Waiting<'_> {
             let ray = &self.rays[index as usize];
             answers[index as usize] = A::alone(search.tree, search.primitives, ray, counters);
         }
-        // A packet has taken these, so the slab test can.
         let Some(ray) = self.on_the_way.next() else {
             return false;
         };
         let taken = slot.load::<S>(ray.ray, &self.rays[ray.ray as usize], search.padding);
+        debug_assert!(taken, "a packet has taken the ray by the same terms");
         slot.go_on(ray, self.parked.entries(ray));
-        taken
+        true
     }
 }
 
