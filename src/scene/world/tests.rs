@@ -11,8 +11,8 @@ use crate::description::{
 };
 use crate::math::{Color, Random};
 
-/// Less for an interpreter.
-const SCALE: usize = if cfg!(miri) { 1 } else { 8 };
+/// Groups of sixteen rays; fewer for an interpreter.
+const GROUPS: usize = if cfg!(miri) { 12 } else { 64 };
 
 fn point(random: &mut Random) -> Vec3 {
     Vec3::from_array(std::array::from_fn(|_| 2.0 * random.next_f32() - 1.0))
@@ -21,11 +21,11 @@ fn point(random: &mut Random) -> Vec3 {
 /// Objects and a mesh of small triangles, all over a cube.
 fn scene(objects: Vec<(Shape, DAffine3)>) -> Scene {
     let mut random = Random::new(&[1]);
-    let triangles = 64 * SCALE as u32;
+    let triangles = 200;
     let mut positions = Vec::new();
     for _ in 0..triangles {
         let center = point(&mut random);
-        positions.extend([(); 3].map(|()| center + 0.3 * point(&mut random)));
+        positions.extend([(); 3].map(|()| center + 0.4 * point(&mut random)));
     }
     let corners = (0..triangles).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     let object =
@@ -59,7 +59,7 @@ fn mesh() -> Shape {
 fn rays() -> Vec<Ray> {
     let mut random = Random::new(&[2]);
     let mut rays = Vec::new();
-    for group in 0..8 * SCALE {
+    for group in 0..GROUPS {
         let spread = [0.001, 0.1, 0.4, 2.0][group % 4];
         let origin = 3.0 * point(&mut random);
         let target = 0.5 * point(&mut random);
@@ -90,7 +90,7 @@ fn compare(scene: &Scene) {
         assert_eq!(got.1[i], expected.1[i], "{ray:?}");
     }
     let hits = got.1.iter().filter(|&&blocked| blocked).count();
-    assert!(hits * 4 > rays.len() && hits < rays.len(), "{hits} of {}", rays.len());
+    assert!(hits * 8 > rays.len() && hits < rays.len(), "{hits} of {}", rays.len());
 }
 
 #[test]
