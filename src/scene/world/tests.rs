@@ -21,11 +21,11 @@ fn point(random: &mut Random) -> Vec3 {
 /// Objects and a mesh of small triangles, all over a cube.
 fn scene(objects: Vec<(Shape, DAffine3)>) -> Scene {
     let mut random = Random::new(&[1]);
-    let triangles = 200;
+    let triangles = 512;
     let mut positions = Vec::new();
     for _ in 0..triangles {
         let center = point(&mut random);
-        positions.extend([(); 3].map(|()| center + 0.4 * point(&mut random)));
+        positions.extend([(); 3].map(|()| center + 0.3 * point(&mut random)));
     }
     let corners = (0..triangles).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     let object =
