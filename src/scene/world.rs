@@ -125,3 +125,6 @@ impl<O: Accel, T: Accel> TracedWorld for World<O, T> {
         self.meshes.iter().filter_map(of_mesh).reduce(EndPointOverlap::and)
     }
 }
+
+#[cfg(test)]
+mod tests;
