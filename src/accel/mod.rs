@@ -111,7 +111,9 @@ pub trait Accel: Sized + Send + Sync {
         hits: &mut [Hit],
         counters: &mut C,
     ) {
-        closest_of_each(self, primitives, rays, hits, counters);
+        for (ray, hit) in rays.iter().zip(hits) {
+            *hit = closest(self, primitives, ray, counters);
+        }
     }
 
     /// Whether each of many rays hits anything.
@@ -122,7 +124,9 @@ pub trait Accel: Sized + Send + Sync {
         answers: &mut [bool],
         counters: &mut C,
     ) {
-        blocked_of_each(self, primitives, rays, answers, counters);
+        for (ray, answer) in rays.iter().zip(answers) {
+            *answer = blocked(self, primitives, ray, counters);
+        }
     }
 
     /// Nodes, leaves, depth and bytes.
@@ -150,32 +154,6 @@ fn closest<A: Accel, P: Primitives, C: Counters>(
         ControlFlow::Continue(best.t)
     });
     if best.is_hit() { best } else { Hit::MISS }
-}
-
-/// [`closest`] of many rays, one by one.
-fn closest_of_each<A: Accel, P: Primitives, C: Counters>(
-    accel: &A,
-    primitives: &P,
-    rays: &[Ray],
-    hits: &mut [Hit],
-    counters: &mut C,
-) {
-    for (ray, hit) in rays.iter().zip(hits) {
-        *hit = closest(accel, primitives, ray, counters);
-    }
-}
-
-/// [`blocked`] of many rays, one by one.
-fn blocked_of_each<A: Accel, P: Primitives, C: Counters>(
-    accel: &A,
-    primitives: &P,
-    rays: &[Ray],
-    answers: &mut [bool],
-    counters: &mut C,
-) {
-    for (ray, answer) in rays.iter().zip(answers) {
-        *answer = blocked(accel, primitives, ray, counters);
-    }
 }
 
 /// Whether a ray has any hit.

@@ -39,7 +39,7 @@ use self::plan::Plan;
 use self::slab_ray::Sides;
 use super::{
     Accel, Bounded, BuildConfig, BuildStages, Built, PACK, Packs as _, Primitives, StructureShape,
-    Tree, blocked_of_each, closest_of_each, obvhs_boxes,
+    Tree, obvhs_boxes,
 };
 
 /// The stack lives with the call up to this height, and on the heap beyond.
@@ -137,13 +137,7 @@ impl Accel for Bvh8 {
         hits: &mut [Hit],
         counters: &mut C,
     ) {
-        if let Some(search) = Search::new(self, primitives) {
-            dispatch(Trace { search, rays, answers: hits, counters });
-        } else if !self.nodes.is_empty() {
-            dispatch(stream::Trace { tree: self, primitives, rays, answers: hits, counters });
-        } else {
-            closest_of_each(self, primitives, rays, hits, counters);
-        }
+        self.answer(primitives, rays, hits, counters);
     }
 
     fn occluded_many<P: Primitives, C: Counters>(
@@ -153,13 +147,7 @@ impl Accel for Bvh8 {
         answers: &mut [bool],
         counters: &mut C,
     ) {
-        if let Some(search) = Search::new(self, primitives) {
-            dispatch(Trace { search, rays, answers, counters });
-        } else if !self.nodes.is_empty() {
-            dispatch(stream::Trace { tree: self, primitives, rays, answers, counters });
-        } else {
-            blocked_of_each(self, primitives, rays, answers, counters);
-        }
+        self.answer(primitives, rays, answers, counters);
     }
 
     fn shape(&self) -> StructureShape {
@@ -198,6 +186,26 @@ impl Accel for Bvh8 {
             children.extend(node.present().map(|(lane, child)| (child, node.child_bounds(lane))));
             (bounds, 0..0)
         }))
+    }
+}
+
+impl Bvh8 {
+    /// Answers a slice of rays: in packets and waves where primitives are tested in packs, else in
+    /// streams. An empty tree has nothing to be hit.
+    fn answer<P: Primitives, A: Answer, C: Counters>(
+        &self,
+        primitives: &P,
+        rays: &[Ray],
+        answers: &mut [A],
+        counters: &mut C,
+    ) {
+        if self.nodes.is_empty() {
+            answers.fill(A::of(Hit::MISS));
+        } else if let Some(search) = Search::new(self, primitives) {
+            dispatch(Trace { search, rays, answers, counters });
+        } else {
+            dispatch(stream::Trace { tree: self, primitives, rays, answers, counters });
+        }
     }
 }
 
@@ -275,14 +283,19 @@ struct Search<'a, P: Primitives> {
 }
 
 impl<'a, P: Primitives> Search<'a, P> {
-    /// What the kernels take, if they can: not primitives without packs, nor an empty tree, nor one
-    /// so deep that it would need higher stacks than theirs.
+    /// What the kernels take, if they can: not primitives without packs, nor a tree so deep that it
+    /// would need higher stacks than theirs.
     fn new(tree: &'a Bvh8, primitives: &'a P) -> Option<Self> {
         let packs = primitives.packs()?;
-        let suits = !tree.nodes.is_empty() && tree.need < HEIGHT;
         let bytes = size_of_val(&tree.nodes[..]) as u64 + packs.bytes();
         let padding = primitives.padding();
-        suits.then_some(Self { tree, primitives, packs, padding, large: bytes > CACHE })
+        (tree.need < HEIGHT).then_some(Self {
+            tree,
+            primitives,
+            packs,
+            padding,
+            large: bytes > CACHE,
+        })
     }
 
     /// Asks the caches for what will be visited soon.
