@@ -6,10 +6,10 @@
 use glam::Vec3;
 
 use crate::scene::Light;
-use crate::simd::{Lanes, Lanes3, Mask, Row as _, Simd, dot, ones, splat3, sub};
+use crate::simd::{LANES, Lanes, Lanes3, Mask, Row as _, Simd, dot, ones, splat3, sub};
 
 use super::optics::Exponent;
-use super::receivers::{LANES, Receivers, Row, Rows3};
+use super::receivers::{Receivers, Row, Rows3};
 
 /// The place of a light: corner + u·side_u + v·side_v.
 #[derive(Clone, Copy, Debug)]

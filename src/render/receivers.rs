@@ -1,14 +1,12 @@
-//! Surfaces on which light falls, sixteen at a time: a lane each.
+//! Surfaces on which light falls, sixteen at a time: a lane each. At 4 × 4 samples, those of one
+//! pixel.
 
 use glam::{Vec3, Vec4};
 
-use crate::simd::ones;
+use crate::simd::{LANES, ones};
 
 use super::finish::Finish;
 use super::optics::Exponent;
-
-/// Surfaces that are computed with together. Those of the samples of one pixel, at 4 × 4 samples.
-pub(super) const LANES: usize = 16;
 
 /// A number for each lane.
 pub(super) type Row = [f32; LANES];

@@ -8,11 +8,11 @@ use glam::{Mat4, Vec3, Vec4};
 
 use crate::math::{Hit, Ray};
 use crate::scene::Light;
-use crate::simd::{Kernel, Row as _, Simd, dispatch, ones};
+use crate::simd::{Kernel, LANES, Row as _, Simd, dispatch, ones};
 
 use super::batch::{Batch, Context, Shaded};
 use super::incidence::{Incidence, LightPlane};
-use super::receivers::{LANES, Receiver, Receivers, Row, Rows3};
+use super::receivers::{Receiver, Receivers, Row, Rows3};
 use super::{RayClass, Stage};
 
 /// Shadow rays asked together: few enough to stay in a core's cache.

@@ -1,9 +1,9 @@
 //! The place of an object in the world, and the rays that come to it.
 
 use crate::math::{Aabb, BoxRay, Hit, Padding, Ray, RayToObject};
-use crate::simd::{Kernel, Mask, Row, Simd, dispatch, ones};
+use crate::simd::{Kernel, LANES, Mask, Row, Simd, dispatch, ones};
 
-use super::ray_group::{Group, LANES};
+use super::ray_group::Group;
 
 /// Where an object is, as rays of the world see it.
 #[derive(Clone, Copy, Debug)]

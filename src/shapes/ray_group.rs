@@ -1,12 +1,10 @@
 //! Sixteen rays at an object, a ray in each lane.
 
 use crate::math::Ray;
-use crate::simd::{Lanes, Lanes3, Row, Simd};
+use crate::simd::{LANES, Lanes, Lanes3, Row, Simd};
 
 use super::Place;
 use super::place::SoFar;
-
-pub(super) const LANES: usize = 16;
 
 /// Rays, and where hits count.
 pub(super) struct Group<S: Simd> {

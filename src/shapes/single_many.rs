@@ -4,12 +4,12 @@
 //! what is divided, compared and told is the same to the bit.
 
 use crate::math::{Hit, Ray};
-use crate::simd::{Kernel, Lanes, Mask, Row, Simd, dispatch, ones, splat3};
+use crate::simd::{Kernel, LANES, Lanes, Mask, Row, Simd, dispatch, ones, splat3};
 
 use super::ball::Approach;
 use super::cylinder::approach_column;
 use super::place::SoFar;
-use super::ray_group::{Group, LANES};
+use super::ray_group::Group;
 use super::triangle::scaled_hit;
 use super::{Ball, Place, Single, Triangle};
 
@@ -106,9 +106,9 @@ fn of_triangle<S: Simd>(triangle: &Triangle, group: &Group<S>) -> Found<S::F16> 
     let hit = scaled_hit(
         group.origin,
         group.dir,
-        splat3::<S::F16, LANES>(triangle.v0.to_array()),
-        splat3::<S::F16, LANES>(triangle.e1.to_array()),
-        splat3::<S::F16, LANES>(triangle.e2.to_array()),
+        splat3::<S::F16, _>(triangle.v0.to_array()),
+        splat3::<S::F16, _>(triangle.e1.to_array()),
+        splat3::<S::F16, _>(triangle.e2.to_array()),
     );
     let inside = zero.le(hit.u) & zero.le(hit.v) & (hit.u + hit.v).le(hit.det) & zero.le(hit.t);
     let t = hit.t / hit.det;
@@ -118,7 +118,7 @@ fn of_triangle<S: Simd>(triangle: &Triangle, group: &Group<S>) -> Found<S::F16> 
 
 #[inline(always)]
 fn of_ball<S: Simd>(ball: &Ball, group: &Group<S>) -> Found<S::F16> {
-    let center = splat3::<S::F16, LANES>(ball.center.to_array());
+    let center = splat3::<S::F16, _>(ball.center.to_array());
     let origin = group.origin;
     let to_center = [center[0] - origin[0], center[1] - origin[1], center[2] - origin[2]];
     let line = Approach::new(to_center, group.dir, S::F16::splat(ball.radius * ball.radius));

@@ -232,9 +232,9 @@ impl Packs for TriangleSet {
         scaled_hit(
             origin,
             dir,
-            splat3::<S::F16, 16>(v0.to_array()),
-            splat3::<S::F16, 16>(e1.to_array()),
-            splat3::<S::F16, 16>(e2.to_array()),
+            splat3::<S::F16, _>(v0.to_array()),
+            splat3::<S::F16, _>(e1.to_array()),
+            splat3::<S::F16, _>(e2.to_array()),
         )
     }
 

@@ -18,4 +18,4 @@ mod x86;
 pub use isa::{Isa, IsaError, Kernel, dispatch};
 pub use lanes::{Lanes, Lanes3, cross, dot, ones, sub};
 pub use prefetch::prefetch;
-pub use row::{Mask, Row, Simd, splat3};
+pub use row::{LANES, Mask, Row, Simd, splat3};

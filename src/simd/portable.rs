@@ -3,7 +3,7 @@
 use glam::{BVec4A, Vec4};
 
 use super::pair::Pair;
-use super::{Mask, Row, Simd};
+use super::{LANES, Mask, Row, Simd};
 
 /// Four floats at a time, nothing fused.
 #[derive(Clone, Copy, Debug)]
@@ -78,8 +78,8 @@ impl Simd for Portable {
     const FUSES: bool = false;
 
     #[inline(always)]
-    fn transpose(records: &[[f32; 8]; 16]) -> [Self::F16; 8] {
-        let mut rows = [[0.0; 16]; 8];
+    fn transpose(records: &[[f32; 8]; LANES]) -> [Self::F16; 8] {
+        let mut rows = [[0.0; LANES]; 8];
         for (lane, record) in records.iter().enumerate() {
             for (row, &value) in rows.iter_mut().zip(record) {
                 row[lane] = value;

@@ -58,20 +58,23 @@ pub fn splat3<R: Row<N>, const N: usize>([x, y, z]: [f32; 3]) -> Lanes3<R> {
     [R::splat(x), R::splat(y), R::splat(z)]
 }
 
+/// The lanes of [`Simd::F16`]: so many rays, or surfaces, are computed with together.
+pub const LANES: usize = 16;
+
 /// An instruction set. Its types cannot be named outside of this layer: a kernel gets them from
 /// [`dispatch`](super::dispatch), which knows that the processor has them.
 pub trait Simd: Copy + Send + Sync + 'static {
     /// Eight floats.
     type F8: Row<8>;
     /// Sixteen floats.
-    type F16: Row<16>;
+    type F16: Row<LANES>;
 
     /// Whether [`Row::slab`] takes the product of origin and inverse direction as its offset (the
     /// fused form) or the origin.
     const FUSES: bool;
 
     /// Sixteen records of eight floats as eight rows, the first of which has all first floats.
-    fn transpose(records: &[[f32; 8]; 16]) -> [Self::F16; 8];
+    fn transpose(records: &[[f32; 8]; LANES]) -> [Self::F16; 8];
 
     /// Moves the values with a one in the mask to the front of `kept`; what stands behind them is
     /// not specified.

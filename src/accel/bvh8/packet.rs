@@ -20,7 +20,7 @@ use super::parked::Parked;
 use super::slab_ray::{LARGEST_PRODUCT, SLACK};
 
 /// Rays of a packet.
-pub(super) const RAYS: usize = 16;
+pub(super) const RAYS: usize = crate::simd::LANES;
 
 /// The stack of a packet, kept from call to call.
 pub(super) struct Stack {
