@@ -19,7 +19,7 @@ pub fn write(comparison: &Comparison) -> String {
         text += "\n**Partial: the comparison was stopped before its plan was done.**\n";
     }
     for (scene, figures) in comparison.scenes.iter().zip(&derived.scenes) {
-        add_scene(scene, figures, &mut text);
+        add_scene(scene, figures, comparison.run.options.threads, &mut text);
     }
     for (sweep, figures) in comparison.sweeps.iter().zip(&derived.sweeps) {
         let _ = write!(text, "\n## Growth: {}\n", escaped(&sweep.mesh));
@@ -44,7 +44,7 @@ pub fn write(comparison: &Comparison) -> String {
     text
 }
 
-fn add_scene(scene: &SceneRecord, figures: &SceneFigures, text: &mut String) {
+fn add_scene(scene: &SceneRecord, figures: &SceneFigures, threads: u32, text: &mut String) {
     let name = escaped(&scene.name);
     let _ = write!(
         text,
@@ -71,6 +71,7 @@ fn add_scene(scene: &SceneRecord, figures: &SceneFigures, text: &mut String) {
     add_table(&tables::ray_table(figures), text);
     add_table(&tables::hardware_table(figures), text);
     add_table(&tables::structure_table(scene, figures), text);
+    add_table(&tables::stage_table(scene, threads), text);
     add_table(&tables::picture_table(figures), text);
 }
 

@@ -122,6 +122,42 @@ fn markdown_prints_the_figures_of_the_json() {
 }
 
 #[test]
+fn the_stages_of_builds_are_those_of_the_record() {
+    let comparison = sample::full();
+    let text = markdown::write(&comparison);
+    for scene in &comparison.scenes {
+        let (_, chapter) = text.split_once(&format!("\n## {}\n", scene.name)).unwrap();
+        let (_, table) = chapter.split_once("\n### Stages of the builds\n").unwrap();
+        let table = table.split("\n### ").next().unwrap();
+        assert!(table.contains("one build on 2 threads"), "{table}");
+        let mut rows = markdown_rows(table).into_iter();
+        for structure in &scene.structures {
+            let mut shares = 0.0;
+            for stage in &structure.build.stages {
+                let row = rows.next().unwrap();
+                assert_eq!(row[..2], [structure.name.clone(), stage.name.clone()]);
+                assert!(row[2].ends_with('s'), "{row:?}");
+                let (share, _) = printed(row[3].strip_suffix("\u{a0}%").unwrap());
+                shares += share;
+            }
+            let told = !structure.build.stages.is_empty();
+            assert!(!told || (shares - 100.0_f64).abs() < 0.3, "{shares} % of {}", structure.name);
+        }
+        assert_eq!(rows.next(), None);
+    }
+}
+
+#[test]
+fn builds_of_a_single_stage_have_no_table_of_them() {
+    let mut comparison = sample::full();
+    for scene in &mut comparison.scenes {
+        scene.structures.iter_mut().for_each(|structure| structure.build.stages.truncate(1));
+    }
+    assert!(!markdown::write(&comparison).contains("Stages of the builds"));
+    assert!(!html::write(&comparison, &BTreeMap::new()).contains("Stages of the builds"));
+}
+
+#[test]
 fn csv_has_every_figure_of_the_json() {
     for comparison in [sample::full(), sample::partial()] {
         let text = csv::write(&comparison);

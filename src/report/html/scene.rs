@@ -26,6 +26,7 @@ pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) 
             @if !hardware.rows.is_empty() { (table(&hardware)) }
             (plots([figures::speedups(page, own), figures::rates(page, own)]))
             (table(&tables::structure_table(scene, own)))
+            (table(&tables::stage_table(scene, page.comparison.run.options.threads)))
             (plots([figures::leaves(page, scene), figures::pareto(page, own)]))
             (table(&tables::picture_table(own)))
             (plots([figures::break_even(page, own), None]))

@@ -8,6 +8,7 @@ mod rounds;
 mod run;
 mod sampling;
 mod scene;
+mod stages;
 
 pub(super) use growth::growth_tables;
 pub(super) use rounds::round_table;
@@ -16,6 +17,7 @@ pub(super) use sampling::sampling_tables;
 pub(super) use scene::{
     agreement, hardware_table, picture_table, proof_table, ray_table, structure_table,
 };
+pub(super) use stages::stage_table;
 
 use super::numbers::{self, NOTHING};
 use crate::record::statistics::Estimate;

@@ -49,10 +49,7 @@ fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRec
         build: BuildRecord {
             one_thread_ns: times(kind.build_ms * 1.8e6, 10, key + 50),
             all_threads_ns: times(kind.build_ms * 1e6, 10, key + 51),
-            stages: vec![BuildStage {
-                name: "structure".to_owned(),
-                ns: (kind.build_ms * 0.9e6) as u64,
-            }],
+            stages: stages(kind),
         },
         memory: Some(Memory {
             index_bytes: kind.bytes,
@@ -78,6 +75,27 @@ fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRec
             .collect(),
         heatmap: Some(picture_file(&format!("pictures/{scene}-{}-heat.png", kind.name), key)),
     }
+}
+
+/// Those of a tree tell more.
+fn stages(kind: &Kind) -> Vec<BuildStage> {
+    let shares: &[(&str, f64)] = if kind.nodes > 1 {
+        &[
+            ("triangles", 0.031),
+            ("boxes", 0.044),
+            ("tree", 0.682),
+            ("collapse", 0.158),
+            ("order", 0.063),
+            ("objects", 0.0002),
+        ]
+    } else {
+        &[("triangles", 0.913), ("structure", 0.0), ("objects", 0.0041)]
+    };
+    let stage = |&(name, share): &(&str, f64)| BuildStage {
+        name: name.to_owned(),
+        ns: (kind.build_ms * share * 1e6) as u64,
+    };
+    shares.iter().map(stage).collect()
 }
 
 fn leaves(n: u64) -> Vec<u64> {

@@ -1,0 +1,34 @@
+//! What the builds spent their time on.
+
+use super::{Cell, Table};
+use crate::record::{SceneRecord, StructureRecord};
+use crate::report::numbers;
+
+/// The stages of the builds, in the order in which they came. A structure that tells a single one
+/// has no line: that is its whole build.
+pub(in crate::report) fn stage_table(scene: &SceneRecord, threads: u32) -> Table {
+    let note = format!(
+        "Wall times within one build on {}, that of the structure that was traced. Shares are \
+         those of all stages together.",
+        numbers::things(u64::from(threads), "thread")
+    );
+    let heads = ["Structure", "Stage", "#Time", "#Share"];
+    let mut table = Table::new("Stages of the builds", note, &heads);
+    let staged = scene.structures.iter().filter(|own| own.build.stages.len() > 1);
+    table.rows = staged.flat_map(stage_rows).collect();
+    table
+}
+
+fn stage_rows(structure: &StructureRecord) -> impl Iterator<Item = Vec<Cell>> {
+    let stages = &structure.build.stages;
+    let all: u64 = stages.iter().map(|stage| stage.ns).sum();
+    stages.iter().map(move |stage| {
+        let share = (all > 0).then(|| stage.ns as f64 / all as f64);
+        vec![
+            Cell::text(&structure.name),
+            Cell::text(&stage.name),
+            Cell::text(numbers::time(stage.ns as f64)),
+            Cell::of(share, numbers::percent),
+        ]
+    })
+}
