@@ -3,7 +3,7 @@
 //! The commands' functions fill it; when the text has ended it is checked as a whole and becomes a
 //! [`SceneDescription`].
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{HashMap, HashSet, TryReserveError};
 
 use crate::description::{
     Light, Material, MeshReference, Object, Options, SceneDescription, Shape, Span,
@@ -72,9 +72,10 @@ impl Builder {
         self.objects.push(Object { shape, transform, material, span });
     }
 
-    /// Makes room for objects that are known to come.
-    pub(super) fn reserve_objects(&mut self, count: usize) {
-        self.objects.reserve(count);
+    /// Makes room for objects and lights that are known to come, if there is so much memory.
+    pub(super) fn reserve(&mut self, objects: usize, lights: usize) -> Result<(), TryReserveError> {
+        self.objects.try_reserve(objects)?;
+        self.lights.try_reserve(lights)
     }
 
     /// How many objects and lights there are.

@@ -4,7 +4,7 @@
 //! a turn opens it closes. What a line means is checked as it is read, so what is wrong with it is
 //! told once; what is wrong in a turn is told of the first such turn, which is the last.
 
-use crate::description::Span;
+use crate::description::{Light, Object, Span};
 
 use super::builder::Builder;
 use super::command::{Command, Group};
@@ -88,10 +88,9 @@ impl<'s> Recorder<'s> {
             );
         } else if let Some(around) = self.open.last_mut() {
             around.steps.push(Step::Repeat(block));
-        } else if let Some(excess) = block.excess(builder) {
+        } else if let Some(excess) = block.excess(builder).or_else(|| block.lack(builder)) {
             builder.report(excess);
         } else {
-            builder.reserve_objects(block.count(&makes_something) as usize);
             block.run(builder, &here);
         }
     }
@@ -141,6 +140,24 @@ impl Block<'_> {
         let help = format!(
             "a scene that repeats has at most {MOST_OBJECTS} objects and lights, and a `repeat` \
              takes at most {MOST_COMMANDS} commands and turns"
+        );
+        Some(Diagnostic::error(self.opened.clone(), message).with_label("too many").with_help(help))
+    }
+
+    /// What is wrong if there is no memory for what it makes. Makes room for it before anything is
+    /// carried out, so that no turn asks for memory that is not there.
+    fn lack(&self, builder: &mut Builder) -> Option<Diagnostic> {
+        let objects = self.count(&|command| matches!(command.group, Group::Object)) as usize;
+        let lights = self.count(&|command| matches!(command.group, Group::Light)) as usize;
+        builder.reserve(objects, lights).err()?;
+        let bytes = objects * size_of::<Object>() + lights * size_of::<Light>();
+        let message = format!(
+            "this makes {} objects and lights, more than the memory can hold",
+            objects + lights
+        );
+        let help = format!(
+            "to read them takes {} MB: repeat fewer times, or let the program use more memory",
+            bytes.div_ceil(1_000_000)
         );
         Some(Diagnostic::error(self.opened.clone(), message).with_label("too many").with_help(help))
     }

@@ -101,6 +101,30 @@ fn objects_that_cannot_be_traced() {
     insta::assert_snapshot!("objects_that_cannot_be_traced", run.stderr);
 }
 
+#[cfg(target_os = "linux")] // Elsewhere the shell may not be able to limit memory.
+#[test]
+fn objects_that_memory_cannot_hold() {
+    let folder = folder();
+    let many = "repeat 4000\n  repeat 4000\n    ball 1 0 0 0\n  end_repeat\nend_repeat\nend\n";
+    fs::write(folder.path().join("many.sce"), SCENE.replace("end\n", many)).unwrap();
+    let output = std::process::Command::new("sh")
+        .args(["-c", "ulimit -v 1000000 && exec \"$0\" check many.sce"])
+        .arg(assert_cmd::cargo::cargo_bin!("srt"))
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    for part in [
+        "error: this makes 16000000 objects and lights, more than the memory can hold",
+        "--> many.sce:25:1",
+        "repeat fewer times, or let the program use more memory",
+        "`many.sce` is not a valid scene: 1 error",
+    ] {
+        assert!(stderr.contains(part), "{part}:\n{stderr}");
+    }
+}
+
 #[test]
 fn all_trouble_of_a_scene_is_told_at_once() {
     let folder = folder();
