@@ -71,29 +71,30 @@ struct Compiled {
 fn compile_objects(description: &SceneDescription, mesh_bounds: &[Aabb]) -> Compiled {
     let count = description.objects.len();
     let mut compiled = Compiled { objects: Vec::with_capacity(count), ..Compiled::default() };
-    // Those in error leave a gap in the ids of those that are not.
-    let mut ids = Vec::with_capacity(count);
+    // Ids and places of objects to be looked at again; those in error leave a gap in the ids.
+    let mut doubtful = Vec::new();
     let mut errors = Vec::new();
     // Of what `repeat` makes many of, one is enough.
     let mut told = HashSet::new();
     let mut is_first = |id: usize| told.insert(description.objects[id].span.start);
     for (id, object) in description.objects.iter().enumerate() {
         match compile_object(id, object, mesh_bounds, &mut compiled.transforms) {
-            Ok(object) => {
+            Ok((object, holds_anywhere)) => {
+                if !holds_anywhere {
+                    doubtful.push((id, compiled.objects.len()));
+                }
                 compiled.objects.push(object);
-                ids.push(id as u32);
             }
             Err(error) if is_first(id) => errors.push((id, error)),
             Err(_) => {}
         }
     }
     let reach = reach(description, &compiled.objects);
-    for (object, &id) in compiled.objects.iter().zip(&ids) {
-        if !holds_in_own_space(object, &compiled.transforms, mesh_bounds, reach) {
-            let object = id as usize;
-            if is_first(object) {
-                errors.push((object, SceneError::OutOfRange { object }));
-            }
+    for (object, place) in doubtful {
+        let holds =
+            holds_in_own_space(&compiled.objects[place], &compiled.transforms, mesh_bounds, reach);
+        if !holds && is_first(object) {
+            errors.push((object, SceneError::OutOfRange { object }));
         }
     }
     errors.sort_by_key(|&(id, _)| id);
@@ -146,12 +147,14 @@ fn own_bounds(form: &Form, mesh_bounds: &[Aabb]) -> Aabb {
     }
 }
 
+/// Also tells whether its formula holds in its own space from however far away rays start, which
+/// is so for nearly all; of the others it is looked at when that is known.
 fn compile_object(
     id: usize,
     object: &description::Object,
     mesh_bounds: &[Aabb],
     transforms: &mut Transforms,
-) -> Result<Object, SceneError> {
+) -> Result<(Object, bool), SceneError> {
     let (form, matrix) = match object.shape {
         Shape::Ball { radius, center } => ball_in_world(radius, center, &object.transform),
         Shape::Cylinder => (Form::Cylinder, object.transform),
@@ -172,9 +175,11 @@ fn compile_object(
     if !large_enough || !range::holds_for(&bounds) {
         return Err(SceneError::OutOfRange { object: id });
     }
+    let holds_anywhere =
+        transform.as_ref().is_none_or(|t| range::holds_in(t, &own, range::LARGEST));
     let transform = transform.map_or(NONE, |transform| transforms.add(&transform));
     let corners = [bounds.min, bounds.max].map(Vec3::from);
-    Ok(Object { form, transform, corners, material: object.material })
+    Ok((Object { form, transform, corners, material: object.material }, holds_anywhere))
 }
 
 /// A ball whose transform keeps its form is traced where it is; any other becomes the unit ball
