@@ -16,6 +16,7 @@ use srt::accel::{
     Accel, BoundingBall, BuildConfig, Bvh, Bvh8, CompressedWideBvh, Exhaustive, Indexed, Quality,
     Tracer,
 };
+use srt::counters::NoCounters;
 use srt::math::{Hit, Ray};
 use srt::shapes::TriangleSet;
 
@@ -156,6 +157,31 @@ fn a_deep_tree_after_a_shallow_one_on_the_same_thread() {
         let expected = trace(&indexed::<Exhaustive>(mesh, Quality::Medium), &rays);
         let tree = indexed::<Bvh8>(mesh, Quality::Medium);
         assert_equal("bvh8", &tree, &rays, &expected);
+    }
+}
+
+#[test]
+fn a_tree_too_deep_for_the_stacks_of_the_kernels() {
+    // Each triangle's box holds all smaller ones, so that clustering takes them in one by one: a
+    // chain. On the way to its end all leaves but one wait on the stack, of which `bvh8`'s kernels
+    // have 128 entries. Deeper trees are searched by streams of rays, and one by one.
+    let mesh = nasty_meshes::nested();
+    let tree = indexed::<Bvh8>(&mesh, Quality::Fastest);
+    let shape = tree.shape();
+    println!("{shape:?}");
+    assert_eq!(u64::from(shape.depth), shape.nodes, "a chain");
+    assert!(shape.leaves > 128, "{} leaves", shape.leaves);
+    let none = indexed::<Exhaustive>(&mesh, Quality::Medium);
+    let rays = rays_at(&mesh, 20_000, 17);
+    let bundles = bundles_around(&rays[..1_000]);
+    for rays in [&rays, &bundles] {
+        let expected = trace(&none, rays);
+        assert!(expected.1.iter().filter(|&&blocked| blocked).count() > rays.len() / 4);
+        assert_equal("bvh8", &tree, rays, &expected);
+        for (ray, hit) in rays.iter().zip(&expected.0) {
+            let alone = tree.closest(ray, &mut NoCounters);
+            assert!(alone.same_bits(hit), "{ray:?}: {alone:?}, expected {hit:?}");
+        }
     }
 }
 

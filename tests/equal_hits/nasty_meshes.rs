@@ -85,7 +85,7 @@ fn lattice() -> Mesh {
 }
 
 /// Triangles that grow geometrically about a corner: as deep a tree as one gets.
-fn nested() -> Mesh {
+pub(crate) fn nested() -> Mesh {
     let mut mesh = empty("nested");
     for i in 0..400 {
         let s = 1.1f32.powi(i) * 1e-11;
