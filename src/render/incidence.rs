@@ -8,7 +8,7 @@ use glam::Vec3;
 use crate::scene::Light;
 use crate::simd::{LANES, Lanes, Lanes3, Mask, Row as _, Simd, dot, ones, splat3, sub};
 
-use super::optics::Exponent;
+use super::optics::{Exponent, whole_power};
 use super::receivers::{Receivers, Row, Rows3};
 
 /// The place of a light: corner + u·side_u + v·side_v.
@@ -105,17 +105,8 @@ impl Incidence {
 /// Bases between 0 and 1 to the power of their surfaces' highlights.
 #[inline(always)]
 fn power<S: Simd>(receivers: &Receivers, base: S::F16, lanes: u32) -> S::F16 {
-    if let Some(Exponent::Whole(mut rest)) = receivers.exponent {
-        // The steps of `Exponent::power`.
-        let (mut square, mut product) = (base, S::F16::splat(1.0));
-        while rest > 0 {
-            if rest & 1 == 1 {
-                product = product * square;
-            }
-            square = square * square;
-            rest >>= 1;
-        }
-        return product;
+    if let Some(Exponent::Whole(exponent)) = receivers.exponent {
+        return whole_power(base, exponent, S::F16::splat(1.0));
     }
     let (mut bases, mut powers) = ([0.0; LANES], [0.0; LANES]);
     base.store(&mut bases);

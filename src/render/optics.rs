@@ -2,6 +2,8 @@
 
 use glam::Vec3;
 
+use crate::simd::Lanes;
+
 /// The mirror direction of a direction `dir` at a surface with unit normal `normal`.
 #[inline]
 pub(super) fn mirror(dir: Vec3, normal: Vec3) -> Vec3 {
@@ -66,20 +68,24 @@ impl Exponent {
     #[inline]
     pub(super) fn power(self, base: f32) -> f32 {
         match self {
-            Self::Whole(mut rest) => {
-                let (mut square, mut product) = (base, 1.0);
-                while rest > 0 {
-                    if rest & 1 == 1 {
-                        product *= square;
-                    }
-                    square *= square;
-                    rest >>= 1;
-                }
-                product
-            }
+            Self::Whole(exponent) => whole_power(base, exponent, 1.0),
             Self::Other(exponent) => libm::powf(base, exponent),
         }
     }
+}
+
+/// Bases to a whole power, by squares; `one` has a 1 in every lane.
+#[inline(always)]
+pub(super) fn whole_power<L: Lanes>(base: L, exponent: u32, one: L) -> L {
+    let (mut square, mut product, mut rest) = (base, one, exponent);
+    while rest > 0 {
+        if rest & 1 == 1 {
+            product = product * square;
+        }
+        square = square * square;
+        rest >>= 1;
+    }
+    product
 }
 
 #[cfg(test)]
