@@ -15,7 +15,8 @@ use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray, RayToObject};
 use crate::shapes::{Place, Single, TriangleSet};
 
-use super::{Form, Object, Scene, mesh_stream};
+use super::mesh_stream::Asked;
+use super::{Form, Object, Scene};
 
 /// Paddings grow with how much a transform amplifies rounding, up to this: beyond, an object is so
 /// nearly flat that its own hits are noise.
@@ -201,18 +202,7 @@ impl<A: Accel> Primitives for ObjectList<A> {
         best: &mut [Hit],
         counters: &mut C,
     ) {
-        for object in self.in_slots(slots) {
-            let place = self.place_of(object);
-            match object.form {
-                PlacedForm::Single(single) => {
-                    counters.primitives(which.len() as u32);
-                    self.single(single).closest_of_many(&place, rays, which, best);
-                }
-                PlacedForm::Mesh(mesh) => {
-                    mesh_stream::closest(self.mesh(mesh), &place, rays, which, best, counters);
-                }
-            }
-        }
+        self.ask(slots, rays, which, best, counters);
     }
 
     fn occluded_stream<C: Counters>(
@@ -223,15 +213,29 @@ impl<A: Accel> Primitives for ObjectList<A> {
         blocked: &mut [bool],
         counters: &mut C,
     ) {
+        self.ask(slots, rays, which, blocked, counters);
+    }
+}
+
+impl<A: Accel> ObjectList<A> {
+    /// Asks objects about some of a stream's rays.
+    fn ask<Q: Asked, C: Counters>(
+        &self,
+        slots: Range<u32>,
+        rays: &[Ray],
+        which: &[u32],
+        answers: &mut [Q],
+        counters: &mut C,
+    ) {
         for object in self.in_slots(slots) {
             let place = self.place_of(object);
             match object.form {
                 PlacedForm::Single(single) => {
                     counters.primitives(which.len() as u32);
-                    self.single(single).blocked_of_many(&place, rays, which, blocked);
+                    self.single(single).ask(&place, rays, which, answers);
                 }
                 PlacedForm::Mesh(mesh) => {
-                    mesh_stream::blocked(self.mesh(mesh), &place, rays, which, blocked, counters);
+                    Q::ask_mesh(self.mesh(mesh), &place, rays, which, answers, counters);
                 }
             }
         }

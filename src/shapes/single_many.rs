@@ -14,27 +14,10 @@ use super::triangle::scaled_hit;
 use super::{Ball, Place, Single, Triangle};
 
 impl Single {
-    /// Replaces the best hits of some rays by the shape's where these come before. `which` has the
-    /// rays' places in both slices.
-    pub fn closest_of_many(
-        &self,
-        place: &Place<'_>,
-        rays: &[Ray],
-        which: &[u32],
-        best: &mut [Hit],
-    ) {
-        dispatch(Many { single: self, place, rays, which, answers: best });
-    }
-
-    /// Notes which of some rays hit the shape. `which` has the rays' places in both slices.
-    pub fn blocked_of_many(
-        &self,
-        place: &Place<'_>,
-        rays: &[Ray],
-        which: &[u32],
-        blocked: &mut [bool],
-    ) {
-        dispatch(Many { single: self, place, rays, which, answers: blocked });
+    /// Notes where some rays hit the shape, or that they do. `which` has the rays' places in both
+    /// slices.
+    pub fn ask<A: SoFar>(&self, place: &Place<'_>, rays: &[Ray], which: &[u32], answers: &mut [A]) {
+        dispatch(Many { single: self, place, rays, which, answers });
     }
 }
 
@@ -257,8 +240,8 @@ mod tests {
             (0..rays.len() as u32).rev().filter(|ray| ray % 11 != index as u32).collect();
         let mut best: Vec<_> = rays.iter().map(|ray| Hit::none_before(ray.t_max)).collect();
         let mut blocked = vec![false; rays.len()];
-        single.closest_of_many(place, rays, &which, &mut best);
-        single.blocked_of_many(place, rays, &which, &mut blocked);
+        single.ask(place, rays, &which, &mut best);
+        single.ask(place, rays, &which, &mut blocked);
         let mut hits = 0;
         for (place_in_slice, ray) in rays.iter().enumerate() {
             let asked = which.contains(&(place_in_slice as u32));
