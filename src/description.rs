@@ -114,6 +114,14 @@ pub struct MeshReference {
     pub span: Span,
 }
 
+impl MeshReference {
+    /// A reference made by hand.
+    #[must_use]
+    pub fn new(name: impl Into<String>) -> Self {
+        Self { name: name.into(), span: 0..0 }
+    }
+}
+
 /// Something that rays can hit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
@@ -125,6 +133,14 @@ pub struct Object {
     pub material: usize,
     /// The command that made it.
     pub span: Span,
+}
+
+impl Object {
+    /// An object made by hand, of the first material.
+    #[must_use]
+    pub fn new(shape: Shape, transform: DAffine3) -> Self {
+        Self { shape, transform, material: 0, span: 0..0 }
+    }
 }
 
 /// The forms of objects.

@@ -16,7 +16,7 @@ use srt::scene::Scene;
 /// Halls are seen from inside and lit below their ceiling; all else from (1, 0.6, 1.5) at 1.7 of its
 /// radius, with the light behind the eye and above.
 pub(crate) fn scene_of(name: &str, size: u32) -> Result<(Scene, Vec3), String> {
-    let reference = MeshReference { name: name.to_owned(), span: 0..0 };
+    let reference = MeshReference::new(name);
     let meshes = load_meshes(&[reference], Path::new(""))
         .map_err(|errors| errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))?;
     let View { eye, target, up, fovy_degrees, light } = if name.starts_with("generate:hall") {
@@ -76,13 +76,11 @@ fn description(name: &str, camera: Camera) -> SceneDescription {
         camera,
         options: Options { max_recursion: 0, aa: 0, background: Color::ZERO },
         materials: vec![Material::default()],
-        meshes: vec![MeshReference { name: name.to_owned(), span: 0..0 }],
-        objects: vec![Object {
-            shape: Shape::Mesh { mesh: 0, normals: Normals::Flat },
-            transform: DAffine3::IDENTITY,
-            material: 0,
-            span: 0..0,
-        }],
+        meshes: vec![MeshReference::new(name)],
+        objects: vec![Object::new(
+            Shape::Mesh { mesh: 0, normals: Normals::Flat },
+            DAffine3::IDENTITY,
+        )],
         lights: vec![],
     }
 }

@@ -93,13 +93,11 @@ pub(crate) fn description() -> SceneDescription {
         },
         options: Options { max_recursion: 0, aa: 0, background: Color::ZERO },
         materials: vec![Material::default()],
-        meshes: vec![MeshReference { name: "knot".into(), span: 0..0 }],
-        objects: vec![Object {
-            shape: Shape::Mesh { mesh: 0, normals: Normals::Flat },
-            transform: DAffine3::IDENTITY,
-            material: 0,
-            span: 0..0,
-        }],
+        meshes: vec![MeshReference::new("knot")],
+        objects: vec![Object::new(
+            Shape::Mesh { mesh: 0, normals: Normals::Flat },
+            DAffine3::IDENTITY,
+        )],
         lights: vec![],
     }
 }

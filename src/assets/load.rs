@@ -21,8 +21,8 @@ use crate::description::MeshReference;
 /// ```
 /// use srt::{assets::load_meshes, description::MeshReference};
 ///
-/// let knot = MeshReference { name: "generate:torus-knot:5000".to_owned(), span: 0..0 };
-/// let missing = MeshReference { name: "missing.obj".to_owned(), span: 0..0 };
+/// let knot = MeshReference::new("generate:torus-knot:5000");
+/// let missing = MeshReference::new("missing.obj");
 /// let folder = std::path::Path::new("scenes");
 /// assert_eq!(load_meshes(std::slice::from_ref(&knot), folder).unwrap().len(), 1);
 /// assert_eq!(load_meshes(&[knot, missing], folder).unwrap_err()[0].reference, 1);

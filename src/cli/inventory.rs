@@ -142,8 +142,7 @@ mod tests {
     use crate::math::Color;
 
     fn scene(shapes: Vec<Shape>) -> SceneDescription {
-        let object =
-            |shape| Object { shape, transform: DAffine3::IDENTITY, material: 0, span: 0..0 };
+        let object = |shape| Object::new(shape, DAffine3::IDENTITY);
         SceneDescription {
             camera: Camera {
                 eye: DVec3::new(0.0, -5.25, 0.0),
@@ -167,7 +166,7 @@ mod tests {
         let mesh = || Shape::Mesh { mesh: 0, normals: Normals::Flat };
         let mut scene = scene(vec![Shape::Cylinder, mesh(), mesh()]);
         scene.objects[0].transform = DAffine3::from_scale(DVec3::new(1.5, 2.0, 3e7));
-        scene.meshes = vec![MeshReference { name: "a.obj".to_owned(), span: 0..0 }];
+        scene.meshes = vec![MeshReference::new("a.obj")];
         let triangles = vec![[0, 1, 2]; 7];
         let data = MeshData::with_averaged_normals(vec![Vec3::ZERO, Vec3::X, Vec3::Y], triangles);
         let traced = Scene::new(&scene, vec![Arc::new(data)]).unwrap();

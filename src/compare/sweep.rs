@@ -153,13 +153,11 @@ fn scene_of(kind: Kind, triangles: u32, seed: u64) -> Result<Scene, Vec<SceneErr
         },
         options: Options { max_recursion: 1, aa: 0, background: Color::ZERO },
         materials: vec![Material { specular: Color::splat(0.3), ..Material::default() }],
-        meshes: vec![MeshReference { name: kind.name().to_owned(), span: 0..0 }],
-        objects: vec![Object {
-            shape: Shape::Mesh { mesh: 0, normals: Normals::Flat },
-            transform: DAffine3::IDENTITY,
-            material: 0,
-            span: 0..0,
-        }],
+        meshes: vec![MeshReference::new(kind.name())],
+        objects: vec![Object::new(
+            Shape::Mesh { mesh: 0, normals: Normals::Flat },
+            DAffine3::IDENTITY,
+        )],
         lights: vec![Light::Point { position: light, color: Color::ONE }],
     };
     Scene::new(&description, vec![Arc::new(generate(kind, triangles, seed))])

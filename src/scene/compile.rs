@@ -221,10 +221,8 @@ mod tests {
         change: impl FnOnce(&mut SceneDescription),
     ) -> Result<Scene, Vec<SceneError>> {
         let object = |(place, (shape, transform))| description::Object {
-            shape,
-            transform,
-            material: 0,
             span: place..place + 1,
+            ..description::Object::new(shape, transform)
         };
         let mut description = SceneDescription {
             camera: description::Camera {
@@ -238,7 +236,7 @@ mod tests {
             },
             options: Options { max_recursion: 0, aa: 0, background: Color::ZERO },
             materials: vec![Material::default()],
-            meshes: vec![MeshReference { name: "a.obj".to_owned(), span: 0..0 }],
+            meshes: vec![MeshReference::new("a.obj")],
             objects: objects.into_iter().enumerate().map(object).collect(),
             lights: vec![],
         };

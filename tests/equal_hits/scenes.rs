@@ -83,10 +83,7 @@ fn random_scene(seed: u64, scale: f64, numbers: Range<usize>) -> Scene {
         },
         options: Options { max_recursion: 0, aa: 0, background: Color::ZERO },
         materials: vec![Material::default()],
-        meshes: meshes
-            .iter()
-            .map(|mesh| MeshReference { name: mesh.name.to_string(), span: 0..0 })
-            .collect(),
+        meshes: meshes.iter().map(|mesh| MeshReference::new(mesh.name)).collect(),
         objects,
         lights: vec![],
     };
@@ -108,7 +105,7 @@ fn random_object(index: usize, scale: f64, random: &mut Random) -> Object {
         }
         mesh => (Shape::Mesh { mesh: mesh - 3, normals: Normals::Flat }, transform),
     };
-    Object { shape, transform, material: 0, span: 0..0 }
+    Object::new(shape, transform)
 }
 
 /// Nothing, moves, turns, mirrors, even and uneven scales, and shears made of both.

@@ -5,7 +5,7 @@ use super::*;
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 fn references(names: &[&str]) -> Vec<MeshReference> {
-    names.iter().map(|name| MeshReference { name: (*name).to_owned(), span: 0..0 }).collect()
+    names.iter().map(|name| MeshReference::new(*name)).collect()
 }
 
 fn folder_with(files: &[(&str, &[u8])]) -> tempfile::TempDir {

@@ -28,8 +28,7 @@ fn scene(objects: Vec<(Shape, DAffine3)>) -> Scene {
         positions.extend([(); 3].map(|()| center + 0.3 * point(&mut random)));
     }
     let corners = (0..triangles).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    let object =
-        |(shape, transform)| description::Object { shape, transform, material: 0, span: 0..0 };
+    let object = |(shape, transform)| description::Object::new(shape, transform);
     let description = SceneDescription {
         camera: Camera {
             eye: DVec3::ZERO,
@@ -42,7 +41,7 @@ fn scene(objects: Vec<(Shape, DAffine3)>) -> Scene {
         },
         options: Options { max_recursion: 0, aa: 0, background: Color::ZERO },
         materials: vec![Material::default()],
-        meshes: vec![MeshReference { name: "cloud".to_owned(), span: 0..0 }],
+        meshes: vec![MeshReference::new("cloud")],
         objects: objects.into_iter().map(object).collect(),
         lights: vec![],
     };
