@@ -152,7 +152,7 @@ impl<S: Simd> Packet<S> {
             self.near_offset[axis] = near;
             self.far_offset[axis] = far;
         }
-        let (first, last) = if self.backwards(axis) != 0 {
+        let (first, last) = if self.octant >> axis & 1 != 0 {
             (near.smallest(), far.largest())
         } else {
             (near.largest(), far.smallest())
@@ -191,10 +191,11 @@ impl<S: Simd> Packet<S> {
         fits & bounded == ALL
     }
 
-    /// Whether the ray runs backwards along an axis: 0 or 1.
+    /// The rows of [`Boxes`] that hold the near planes; the far ones are beside them.
     #[inline(always)]
-    fn backwards(&self, axis: usize) -> usize {
-        (self.octant >> axis & 1) as usize
+    fn near_rows(&self) -> [usize; 3] {
+        let row = |axis: usize| 2 * axis + (self.octant >> axis & 1) as usize;
+        [row(0), row(1), row(2)]
     }
 
     /// What the intervals of all rays in a node's eight boxes lie in.
@@ -240,18 +241,44 @@ impl<S: Simd> Packet<S> {
 
     /// Which rays' `t` lies in the interval of a primitive's own box: `BoxRay::accepts`.
     #[inline(always)]
-    fn accepts(&self, corners: [[f32; 3]; 2], t: S::F16) -> u32 {
-        let [x, y, z] = [self.backwards(0), self.backwards(1), self.backwards(2)];
+    fn accepts(&self, boxes: &Boxes, lane: usize, t: S::F16) -> u32 {
+        let [x, y, z] = self.near_rows();
         let (near, far) = (&self.near, &self.far);
         let begin = self
-            .product(corners[x][0], near, 0)
-            .max(self.product(corners[y][1], near, 1))
-            .max(self.product(corners[z][2], near, 2));
+            .product(boxes.plane(x, lane), near, 0)
+            .max(self.product(boxes.plane(y, lane), near, 1))
+            .max(self.product(boxes.plane(z, lane), near, 2));
         let leave = self
-            .product(corners[x ^ 1][0], far, 0)
-            .min(self.product(corners[y ^ 1][1], far, 1))
-            .min(self.product(corners[z ^ 1][2], far, 2));
+            .product(boxes.plane(x ^ 1, lane), far, 0)
+            .min(self.product(boxes.plane(y ^ 1, lane), far, 1))
+            .min(self.product(boxes.plane(z ^ 1, lane), far, 2));
         (begin.le(t) & t.le(leave)).bits()
+    }
+}
+
+/// The own boxes of a leaf's primitives, written down so that one box, or one row of near planes,
+/// can be picked: low planes along x, high planes along x, then y and z.
+struct Boxes([[f32; PACK]; 6]);
+
+impl Boxes {
+    #[inline(always)]
+    fn new<S: Simd>([low, high]: [Lanes3<S::F8>; 2]) -> Self {
+        let mut rows = [[0.0; PACK]; 6];
+        for axis in 0..3 {
+            low[axis].store(&mut rows[2 * axis]);
+            high[axis].store(&mut rows[2 * axis + 1]);
+        }
+        Self(rows)
+    }
+
+    #[inline(always)]
+    fn row<S: Simd>(&self, row: usize) -> S::F8 {
+        S::F8::load(&self.0[row])
+    }
+
+    #[inline(always)]
+    fn plane(&self, row: usize, lane: usize) -> f32 {
+        self.0[row][lane % PACK]
     }
 }
 
@@ -484,11 +511,11 @@ fn test_leaf<S: Simd, P: Packs, A: Answer>(
     end: S::F8,
     best: &mut Best<S::F16>,
 ) {
-    let boxes = packs.boxes::<S>(block);
-    let [x, y, z] = [packet.backwards(0), packet.backwards(1), packet.backwards(2)];
+    let boxes = Boxes::new::<S>(packs.boxes::<S>(block));
+    let [x, y, z] = packet.near_rows();
     let (near, far) = packet.hull.interval(
-        [boxes[x][0], boxes[y][1], boxes[z][2]],
-        [boxes[x ^ 1][0], boxes[y ^ 1][1], boxes[z ^ 1][2]],
+        [boxes.row::<S>(x), boxes.row::<S>(y), boxes.row::<S>(z)],
+        [boxes.row::<S>(x ^ 1), boxes.row::<S>(y ^ 1), boxes.row::<S>(z ^ 1)],
         end,
     );
     let zero = S::F16::splat(0.0);
@@ -505,8 +532,7 @@ fn test_leaf<S: Simd, P: Packs, A: Answer>(
         if found == 0 {
             continue;
         }
-        let bounds = packs.bounds(block, lane);
-        found &= packet.accepts([bounds.min.to_array(), bounds.max.to_array()], t);
+        found &= packet.accepts(&boxes, lane, t);
         if A::ANY {
             best.hit |= found;
             active &= !found;
