@@ -21,6 +21,9 @@ pub(crate) enum Class {
     Diffuse,
     /// Mirrored off what view rays hit.
     Mirror,
+    /// Down an axis, the one along which the scene is flattest, from a grid above it: as a height
+    /// field is probed, or a plan drawn.
+    Probe,
 }
 
 /// The rays of a class. Shadow rays ask whether anything is hit, all others what is hit first.
@@ -30,7 +33,7 @@ pub(crate) struct RaySet {
 }
 
 /// All classes, in the order of [`Class`].
-pub(crate) fn ray_sets(scene: &Scene, tracer: &dyn Tracer, light: Vec3) -> [RaySet; 4] {
+pub(crate) fn ray_sets(scene: &Scene, tracer: &dyn Tracer, light: Vec3) -> [RaySet; 5] {
     let view = view_rays(scene);
     let mut hits = vec![Hit::MISS; view.len()];
     tracer.intersect(&view, &mut hits, None);
@@ -48,21 +51,45 @@ pub(crate) fn ray_sets(scene: &Scene, tracer: &dyn Tracer, light: Vec3) -> [RayS
         RaySet { class: Class::Shadow, rays: shadow },
         RaySet { class: Class::Diffuse, rays: diffuse },
         RaySet { class: Class::Mirror, rays: mirror },
+        RaySet { class: Class::Probe, rays: probes(scene) },
     ]
 }
 
-/// A ray through the centre of each pixel: tile by tile, in a tile block by block.
+/// A ray through the centre of each pixel.
 fn view_rays(scene: &Scene) -> Vec<Ray> {
+    let ray = |(x, y)| scene.camera.ray(f64::from(x), f64::from(y));
+    pixels(scene.camera.width, scene.camera.height).into_iter().map(ray).collect()
+}
+
+/// A ray for each pixel, spread over the scene's box, along the shortest of its edges.
+fn probes(scene: &Scene) -> Vec<Ray> {
     let (width, height) = (scene.camera.width, scene.camera.height);
-    let mut rays = Vec::with_capacity(width as usize * height as usize);
+    let bounds = scene.bounds();
+    let size = Vec3::from(bounds.size());
+    let down = if size.y <= size.x.min(size.z) { 1 } else { 2 * usize::from(size.z < size.x) };
+    let (across, along) = ((down + 1) % 3, (down + 2) % 3);
+    let mut dir = Vec3::ZERO;
+    dir[down] = -1.0;
+    let ray = |(x, y): (u32, u32)| {
+        let mut origin = Vec3::from(bounds.max);
+        origin[down] += size[down];
+        origin[across] -= size[across] * (x as f32 + 0.5) / width as f32;
+        origin[along] -= size[along] * (y as f32 + 0.5) / height as f32;
+        Ray::new(origin, dir)
+    };
+    pixels(width, height).into_iter().map(ray).collect()
+}
+
+/// The pixels of a picture: tile by tile, in a tile block by block.
+fn pixels(width: u32, height: u32) -> Vec<(u32, u32)> {
+    let mut all = Vec::with_capacity(width as usize * height as usize);
     for (tile_x, tile_y) in cells(0, 0, width.max(height), TILE) {
         for (block_x, block_y) in cells(tile_x, tile_y, TILE, BLOCK) {
             let pixels = cells(block_x, block_y, BLOCK, 1);
-            let inside = pixels.filter(|&(x, y)| x < width && y < height);
-            rays.extend(inside.map(|(x, y)| scene.camera.ray(f64::from(x), f64::from(y))));
+            all.extend(pixels.filter(|&(x, y)| x < width && y < height));
         }
     }
-    rays
+    all
 }
 
 /// The corners of the cells of a square, row by row.

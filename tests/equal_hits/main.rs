@@ -7,6 +7,7 @@
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
 mod adversarial_rays;
+mod axis_grids;
 mod nasty_meshes;
 mod scenes;
 
@@ -21,6 +22,7 @@ use srt::math::{Hit, Ray};
 use srt::shapes::TriangleSet;
 
 use adversarial_rays::{bundles_around, rays_at};
+use axis_grids::grids_over;
 use nasty_meshes::Mesh;
 
 /// The answers of a structure.
@@ -65,20 +67,23 @@ fn rays_cut_at_hits(rays: &[Ray], hits: &[Hit]) -> Vec<Ray> {
     rays.iter().zip(hits).enumerate().filter_map(cut).collect()
 }
 
+/// Structures to be compared with `none`, by name.
+fn structures(mesh: &Mesh, qualities: &[Quality]) -> Vec<(String, Box<dyn Tracer>)> {
+    let ball: Box<dyn Tracer> = Box::new(indexed::<BoundingBall>(mesh, Quality::Medium));
+    let trees = qualities.iter().flat_map(|&q| -> [(String, Box<dyn Tracer>); 3] {
+        [
+            (format!("bvh {}", q.name()), Box::new(indexed::<Bvh>(mesh, q))),
+            (format!("cwbvh {}", q.name()), Box::new(indexed::<CompressedWideBvh>(mesh, q))),
+            (format!("bvh8 {}", q.name()), Box::new(indexed::<Bvh8>(mesh, q))),
+        ]
+    });
+    std::iter::once(("ball".to_owned(), ball)).chain(trees).collect()
+}
+
 /// Compares all structures with `none` on one mesh; returns how many rays were compared.
 fn compare_on(mesh: &Mesh, qualities: &[Quality], count: usize) -> usize {
     let none = indexed::<Exhaustive>(mesh, Quality::Medium);
-    let ball = indexed::<BoundingBall>(mesh, Quality::Medium);
-    let trees: Vec<(String, Box<dyn Tracer>)> = qualities
-        .iter()
-        .flat_map(|&q| -> [(String, Box<dyn Tracer>); 3] {
-            [
-                (format!("bvh {}", q.name()), Box::new(indexed::<Bvh>(mesh, q))),
-                (format!("cwbvh {}", q.name()), Box::new(indexed::<CompressedWideBvh>(mesh, q))),
-                (format!("bvh8 {}", q.name()), Box::new(indexed::<Bvh8>(mesh, q))),
-            ]
-        })
-        .collect();
+    let structures = structures(mesh, qualities);
     let adversarial = rays_at(mesh, count, 99);
     let expected = trace(&none, &adversarial);
     let cut = rays_cut_at_hits(&adversarial, &expected.0);
@@ -88,15 +93,24 @@ fn compare_on(mesh: &Mesh, qualities: &[Quality], count: usize) -> usize {
     for (rays, expected) in
         [(&adversarial, &expected), (&cut, &expected_of_cut), (&bundles, &expected_of_bundles)]
     {
-        for (hit, blocked) in expected.0.iter().zip(&expected.1) {
-            assert_eq!(hit.is_hit(), *blocked, "{}: closest and any hit disagree", mesh.name);
-        }
-        assert_equal(&format!("{}: ball", mesh.name), &ball, rays, expected);
-        for (name, tree) in &trees {
-            assert_equal(&format!("{}: {name}", mesh.name), tree.as_ref(), rays, expected);
-        }
+        assert_all_equal(mesh, &structures, rays, expected);
     }
     adversarial.len() + cut.len() + bundles.len()
+}
+
+/// Fails with the first ray to which the structures give other answers than `none`.
+fn assert_all_equal(
+    mesh: &Mesh,
+    structures: &[(String, Box<dyn Tracer>)],
+    rays: &[Ray],
+    expected: &(Vec<Hit>, Vec<bool>),
+) {
+    for (hit, blocked) in expected.0.iter().zip(&expected.1) {
+        assert_eq!(hit.is_hit(), *blocked, "{}: closest and any hit disagree", mesh.name);
+    }
+    for (name, structure) in structures {
+        assert_equal(&format!("{}: {name}", mesh.name), structure.as_ref(), rays, expected);
+    }
 }
 
 #[test]
@@ -122,6 +136,31 @@ fn meshes_of_all_kinds_at_all_scales() {
         .sum();
     println!("{compared} rays compared, 0 differ");
     assert!(compared >= 1_000_000, "only {compared} rays were compared");
+}
+
+#[test]
+fn grids_along_the_axes() {
+    let places =
+        [(1.0, Vec3::ZERO), (1e6, Vec3::ZERO), (1e-6, Vec3::ZERO), (1e3, Vec3::splat(1e6))];
+    let meshes = nasty_meshes::all();
+    let cases: Vec<_> = meshes.iter().flat_map(|mesh| places.map(|place| (mesh, place))).collect();
+    let hits: usize = cases
+        .par_iter()
+        .with_max_len(1)
+        .map(|&(mesh, (scale, offset))| {
+            let mesh = mesh.moved(scale, offset);
+            let structures = structures(&mesh, &[Quality::Medium]);
+            let none = indexed::<Exhaustive>(&mesh, Quality::Medium);
+            let grids = grids_over(&mesh, 23);
+            let expected = trace(&none, &grids);
+            assert_all_equal(&mesh, &structures, &grids, &expected);
+            let cut = rays_cut_at_hits(&grids, &expected.0);
+            assert_all_equal(&mesh, &structures, &cut, &trace(&none, &cut));
+            cut.len()
+        })
+        .sum();
+    println!("{hits} rays along an axis hit");
+    assert!(hits > 100_000, "only {hits} rays hit");
 }
 
 #[test]

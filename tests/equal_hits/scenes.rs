@@ -139,7 +139,7 @@ fn rays_into(scene: &Scene, seed: u64, count: usize) -> Vec<Ray> {
             let mut ray = Ray::new(origin, target - origin);
             if i % 4 == 0 {
                 let axis = random.below(3) as usize;
-                ray.dir = Vec3::ZERO;
+                ray.dir = Vec3::splat([0.0, -0.0, 1e-38][i / 4 % 3]);
                 ray.dir[axis] = (target - origin)[axis];
                 for other in [(axis + 1) % 3, (axis + 2) % 3] {
                     ray.origin[other] = target[other];

@@ -341,8 +341,9 @@ impl Scratch {
         for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
             let first = (number * packet::RAYS) as u32;
             let numbered = (first, rays);
-            let outcome =
-                packet::search::<S, P, A, C>(search, numbered, answers, packet, parked, counters);
+            let outcome = packet::search::<S, P, A, C, false>(
+                search, numbered, answers, packet, parked, counters,
+            );
             if outcome == Outcome::Mixed {
                 scattered.extend(first..first + packet::RAYS as u32);
             }

@@ -5,9 +5,16 @@ use glam::Vec3A;
 use crate::math::{BoxRay, Padding, Ray};
 use crate::simd::Simd;
 
-/// Reach times inverse direction up to which the products below stay far from overflow. Beyond it
-/// lie rays that run along an axis, which are few and are walked one by one.
+/// Width times inverse direction up to which the products below stay far from overflow. Beyond it
+/// an axis is one along which the ray hardly moves, or not at all: see [`SlabRay::cut`].
 pub(super) const LARGEST_PRODUCT: f32 = 1e37;
+
+/// The product that takes the place of those beyond.
+pub(super) const CUT_PRODUCT: f32 = 1e36;
+
+/// The widths, and the parameters of hits, up to which it can. Rays that go farther are walked one
+/// by one.
+pub(super) const FARTHEST: f32 = 1e28;
 
 /// Four units of rounding: the fused form is off by at most three of them.
 pub(super) const SLACK: f32 = 4.0 * (f32::EPSILON / 2.0);
@@ -58,20 +65,175 @@ impl SlabRay {
     pub(super) const VACANT: Self =
         Self { inv_dir: Vec3A::ZERO, near: Vec3A::ZERO, far: Vec3A::ZERO, octant: 0 };
 
-    /// The terms of a ray, or `None` if one of its directions is too small for them.
+    /// The terms of a usual ray, or `None` if it hardly moves along some axis.
     #[inline(always)]
     pub(super) fn new<S: Simd>(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Option<Self> {
-        let inv_dir = box_ray.inv_dir;
         let Sides { near, far, octant } = Sides::of(box_ray);
-        let width = Vec3A::from(ray.origin).abs() + Vec3A::splat(padding.largest + box_ray.pad);
-        let product = width * inv_dir.abs();
+        let inv_dir = box_ray.inv_dir;
+        let product = Self::width(ray, box_ray, padding) * inv_dir.abs();
         if !product.cmple(Vec3A::splat(LARGEST_PRODUCT)).all() {
             return None;
         }
+        Some(Self { inv_dir, near, far, octant }.fused::<S>(product))
+    }
+
+    /// The largest distances of planes from the padded origin.
+    #[inline(always)]
+    fn width(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Vec3A {
+        Vec3A::from(ray.origin).abs() + Vec3A::splat(padding.largest + box_ray.pad)
+    }
+
+    /// The terms with offsets in place of origins, where the instruction set fuses.
+    #[inline(always)]
+    fn fused<S: Simd>(self, product: Vec3A) -> Self {
         if !S::FUSES {
-            return Some(Self { inv_dir, near, far, octant });
+            return self;
         }
+        let Self { inv_dir, near, far, octant } = self;
         let slack = product * SLACK + Vec3A::splat(f32::MIN_POSITIVE);
-        Some(Self { inv_dir, near: near * inv_dir + slack, far: far * inv_dir - slack, octant })
+        Self { inv_dir, near: near * inv_dir + slack, far: far * inv_dir - slack, octant }
+    }
+
+    /// The terms of a ray that hardly moves along some axes, or `None` if it moves too little or is
+    /// too far away.
+    ///
+    /// On these a smaller inverse direction `±C/w` will do, with origins that are `4u·w` farther out.
+    /// With `C`, `F` and `L` for [`CUT_PRODUCT`], [`FARTHEST`] and [`LARGEST_PRODUCT`]: one axis has a
+    /// product `w·|inv_dir|` of at most `F`, so `BoxRay` accepts no `|t|` beyond `1.01·F`. On an axis
+    /// with a product beyond `L` it accepts `t` behind a near plane only if
+    /// `(plane − origin)·inv_dir ≤ t`; say the ray runs forwards, then `plane − origin` is at most
+    /// `1.02·w·F/L`, much less than `u·w`. Farther out, and with the rounding of the origin by `u·w`,
+    /// the difference is at most `−2.9u·w`, and its product with the smaller inverse at most
+    /// `−2.8u·C`. That is less than `−1.01·F`, hence than `t`. Far planes are the mirror image, and
+    /// the slack of the fused form has room for a `w` that is larger by `4u·w`.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn cut<S: Simd>(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Option<Self> {
+        let Sides { near, far, octant } = Sides::of(box_ray);
+        let inv_dir = box_ray.inv_dir;
+        let width = Self::width(ray, box_ray, padding);
+        let product = width * inv_dir.abs();
+        let (largest, farthest) = (Vec3A::splat(LARGEST_PRODUCT), Vec3A::splat(FARTHEST));
+        let still = product.cmpgt(largest);
+        let near_enough = product.cmple(largest) | still & width.cmple(farthest);
+        if !near_enough.all() || !product.cmple(farthest).any() {
+            return None;
+        }
+        let of_cut = Vec3A::splat(CUT_PRODUCT);
+        let out = (width * SLACK).copysign(inv_dir);
+        let slab = Self {
+            inv_dir: Vec3A::select(still, (of_cut / width).copysign(inv_dir), inv_dir),
+            near: Vec3A::select(still, near + out, near),
+            far: Vec3A::select(still, far - out, far),
+            octant,
+        };
+        Some(slab.fused::<S>(Vec3A::select(still, of_cut, product)))
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use glam::Vec3;
+
+    use super::super::node::{Child, Node, WIDTH, near_planes};
+    use super::*;
+    use crate::math::{Aabb, Random};
+    use crate::simd::{Kernel, Row, dispatch, splat3};
+
+    /// Components of directions along which a ray hardly moves, of both signs.
+    pub(in crate::accel::bvh8) const STILL: [f32; 8] =
+        [0.0, -0.0, 1e-38, -1e-38, 1e-30, -1e-30, 1e-45, -1e-25];
+
+    /// Asks a kernel for the intervals of a ray in the boxes of a node; none if it does not take it.
+    struct Intervals<'a>(&'a Ray, &'a Node, Padding);
+
+    impl Kernel for Intervals<'_> {
+        type Output = Option<[[f32; WIDTH]; 2]>;
+
+        #[inline(always)]
+        fn run<S: Simd>(self) -> Self::Output {
+            let Self(ray, node, padding) = self;
+            let box_ray = BoxRay::new(ray, padding);
+            let slab = SlabRay::new::<S>(ray, &box_ray, padding)
+                .or_else(|| SlabRay::cut::<S>(ray, &box_ray, padding))?;
+            let (begin, end) = node.intervals::<S>(
+                near_planes(slab.octant),
+                splat3::<S::F8, 8>(slab.inv_dir.to_array()),
+                splat3::<S::F8, 8>(slab.near.to_array()),
+                splat3::<S::F8, 8>(slab.far.to_array()),
+                [S::F8::splat(-f32::MAX), S::F8::splat(f32::MAX)],
+            );
+            let mut intervals = [[0.0; WIDTH]; 2];
+            begin.store(&mut intervals[0]);
+            end.store(&mut intervals[1]);
+            Some(intervals)
+        }
+    }
+
+    #[test]
+    fn intervals_contain_what_is_accepted_and_hardly_more() {
+        let mut random = Random::new(&[17]);
+        let (mut accepted, mut beside) = (0, 0);
+        for round in 0..100_000 {
+            let scale = [1.0, 1e-6, 1e-3, 1e6, 1e15][round % 5];
+            // Few different coordinates, so that rays often run in the planes of boxes.
+            let mut coordinate = || scale * (random.below(9) as f32 - 4.0) / 3.0;
+            let mut node = Node::EMPTY;
+            for lane in 0..WIDTH {
+                let mut corner = || Vec3A::from_array(std::array::from_fn(|_| coordinate()));
+                node.set(lane, Child::node(lane), &Aabb::of_points([corner(), corner()]));
+            }
+            let padding = Padding::of_bounds(&node.bounds());
+            let mut origin = Vec3::from_array(std::array::from_fn(|_| coordinate()));
+            let mut dir = Vec3::ZERO;
+            let along = random.below(3) as usize;
+            for axis in 0..3 {
+                dir[axis] = STILL[random.below(8) as usize];
+                // Beside the plane by what padding covers, or a few roundings less or more.
+                let pads = [0.0, 1.0, -1.0, 1.3, -1.3, 2.0, -2.0, 4.0][random.below(8) as usize];
+                let reach = padding.largest + origin.abs().max_element();
+                origin[axis] += pads * 16.0 * f32::EPSILON * reach;
+                for _ in 0..random.below(3) {
+                    origin[axis] = origin[axis].next_up();
+                }
+                for _ in 0..random.below(3) {
+                    origin[axis] = origin[axis].next_down();
+                }
+            }
+            // Short directions have parameters near the farthest.
+            dir[along] = scale * [1.0, -1.0, 1e-25, -1e-25][random.below(4) as usize];
+            let ray = Ray::new(origin, dir);
+            let box_ray = BoxRay::new(&ray, padding);
+            let intervals = dispatch(Intervals(&ray, &node, padding)).expect("a ray that is taken");
+            for (lane, _) in node.present() {
+                let (near, far) = box_ray.interval(&node.child_bounds(lane));
+                let (begin, end) = (intervals[0][lane], intervals[1][lane]);
+                if near <= far {
+                    assert!(begin <= near && far <= end, "{ray:?}: {begin} {near} {far} {end}");
+                    accepted += 1;
+                }
+                let (near, far) = box_ray.widened(1.0).interval(&node.child_bounds(lane));
+                if near > far {
+                    assert!(begin > end, "{ray:?}: {begin} {end}");
+                    beside += 1;
+                }
+            }
+        }
+        assert!(accepted > 10_000 && beside > 10_000, "{accepted} {beside}");
+    }
+
+    #[test]
+    fn rays_without_a_bound_are_not_taken() {
+        let mut node = Node::EMPTY;
+        node.set(0, Child::node(0), &Aabb::of_points([Vec3A::ZERO, Vec3A::ONE]));
+        let padding = Padding::of_bounds(&node.bounds());
+        let taken = |origin: Vec3, dir: Vec3| {
+            dispatch(Intervals(&Ray::new(origin, dir), &node, padding)).is_some()
+        };
+        assert!(taken(Vec3::ZERO, Vec3::X));
+        assert!(!taken(Vec3::ZERO, Vec3::ZERO), "moves along no axis");
+        assert!(!taken(Vec3::ZERO, Vec3::new(1e-35, 0.0, 0.0)), "hardly moves");
+        assert!(!taken(Vec3::new(0.0, 1e30, 0.0), Vec3::X), "too far away");
+        assert!(!taken(Vec3::new(0.0, f32::NAN, 0.0), Vec3::X), "is nowhere");
     }
 }

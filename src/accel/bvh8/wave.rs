@@ -307,32 +307,71 @@ impl Waiting<'_> {
         answers: &mut [A],
     ) -> bool {
         for &index in self.fresh.by_ref() {
-            if slot.load::<S>(index, &self.rays[index as usize], search.padding) {
+            let ray = &self.rays[index as usize];
+            if slot.load::<S>(index, ray, search.padding)
+                || take_cut::<S, P, A, C>(search, slot, (index, ray), counters, answers)
+            {
                 slot.entries[1] = Child::node(0).0;
                 slot.height = 2;
                 return true;
             }
-            let ray = &self.rays[index as usize];
-            answers[index as usize] = A::alone(search.tree, search.primitives, ray, counters);
         }
         let Some(ray) = self.on_the_way.next() else {
             return false;
         };
-        let taken = slot.load::<S>(ray.ray, &self.rays[ray.ray as usize], search.padding);
+        let (index, parked) = (ray.ray, &self.rays[ray.ray as usize]);
+        let taken = slot.load::<S>(index, parked, search.padding)
+            || slot.load_cut::<S>(index, parked, search.padding);
         debug_assert!(taken, "a packet has taken the ray by the same terms");
         slot.go_on(ray, self.parked.entries(ray));
         true
     }
 }
 
+/// Puts a ray that hardly moves along an axis into a slot, or traces it alone and returns false if
+/// the slab test cannot take it. Apart, for the sake of usual rays.
+#[cold]
+#[inline(never)]
+fn take_cut<S: Simd, P: Primitives, A: Answer, C: Counters>(
+    search: &Search<'_, P>,
+    slot: &mut Slot,
+    (index, ray): (u32, &Ray),
+    counters: &mut C,
+    answers: &mut [A],
+) -> bool {
+    let taken = slot.load_cut::<S>(index, ray, search.padding);
+    if !taken {
+        answers[index as usize] = A::alone(search.tree, search.primitives, ray, counters);
+    }
+    taken
+}
+
 impl Slot {
-    /// Takes a ray that has not begun. Returns false if the slab test cannot take it.
+    /// Takes a usual ray that has not begun. Returns false if it hardly moves along an axis.
     #[inline(always)]
     fn load<S: Simd>(&mut self, index: u32, ray: &Ray, padding: Padding) -> bool {
         let box_ray = BoxRay::new(ray, padding);
         let Some(slab) = SlabRay::new::<S>(ray, &box_ray, padding) else {
             return false;
         };
+        self.fill(index, ray, box_ray, slab);
+        true
+    }
+
+    /// Takes a ray that hardly moves along an axis. Returns false if the slab test cannot take it.
+    #[cold]
+    #[inline(never)]
+    fn load_cut<S: Simd>(&mut self, index: u32, ray: &Ray, padding: Padding) -> bool {
+        let box_ray = BoxRay::new(ray, padding);
+        let slab = SlabRay::cut::<S>(ray, &box_ray, padding);
+        if let Some(slab) = slab {
+            self.fill(index, ray, box_ray, slab);
+        }
+        slab.is_some()
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, index: u32, ray: &Ray, box_ray: BoxRay, slab: SlabRay) {
         // Field by field: a whole slot would be put together elsewhere and copied.
         self.inv_dir = slab.inv_dir.to_array();
         self.t_min = ray.t_min;
@@ -348,7 +387,6 @@ impl Slot {
         self.v = 0.0;
         self.ray = index;
         self.box_ray = box_ray;
-        true
     }
 
     /// Gives a ray what it has found on its way, and what it is still to visit.
