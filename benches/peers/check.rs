@@ -1,7 +1,7 @@
 //! Answers before times.
 
 use srt::accel::Tracer;
-use srt::scene::{Structure, TracedWorld};
+use srt::scene::Structure;
 
 use crate::rays::RaySet;
 use crate::rounds::answers;
@@ -13,7 +13,7 @@ const LARGEST_SHARE: f64 = 1e-4;
 /// must agree but for few.
 pub(crate) fn check(
     structures: &[&Structure],
-    worlds: &[&dyn TracedWorld],
+    worlds: &[&dyn Tracer],
     guide: &dyn Tracer,
     set: &RaySet,
 ) -> Result<(), String> {

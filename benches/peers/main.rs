@@ -9,14 +9,15 @@
 
 mod builds;
 mod check;
+mod layers;
 mod rays;
 mod rounds;
 mod table;
 mod view;
 
 use clap::Parser;
-use srt::accel::BuildConfig;
-use srt::scene::{Structure, TracedWorld, structure_named};
+use srt::accel::{BuildConfig, Tracer};
+use srt::scene::{Structure, structure_named};
 
 use rays::Class;
 
@@ -37,6 +38,9 @@ struct Arguments {
     /// Rounds of builds, on one thread and on all.
     #[arg(long, default_value_t = 0)]
     builds: usize,
+    /// Also the time of `bvh8` over that of its tree over the triangles alone.
+    #[arg(long)]
+    layers: bool,
     /// Side of the picture in pixels, a multiple of 16.
     #[arg(long, default_value_t = 1024)]
     size: u32,
@@ -68,11 +72,15 @@ fn main() -> Result<(), String> {
         let guide = structure_named("bvh").ok_or("there is no `bvh`")?;
         let guide = guide.build(&scene, &BuildConfig::default());
         let sets = rays::ray_sets(&scene, &*guide, light);
-        let worlds: Vec<&dyn TracedWorld> = worlds.iter().map(|world| &**world).collect();
+        let worlds: Vec<&dyn Tracer> = worlds.iter().map(|world| &**world as _).collect();
+        let layers = arguments.layers.then(|| layers::Layers::new(&scene)).transpose()?;
         for set in sets.iter().filter(|set| arguments.classes.contains(&set.class)) {
             check::check(&structures, &worlds, &*guide, set)?;
             let times = rounds::interleaved(&worlds, set, arguments.rounds);
             all.add(set, &times);
+            if let Some(layers) = &layers {
+                layers.measure(set, arguments.rounds);
+            }
         }
         all.print_mesh();
     }

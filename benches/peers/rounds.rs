@@ -4,7 +4,6 @@ use std::time::Instant;
 
 use srt::accel::Tracer;
 use srt::math::{Hit, Ray};
-use srt::scene::TracedWorld;
 
 use crate::rays::{Class, RaySet};
 
@@ -13,11 +12,7 @@ const RAYS_AT_ONCE: usize = 4096;
 
 /// Seconds for all rays of a set: for each structure, one for each round. A round before the first
 /// warms up.
-pub(crate) fn interleaved(
-    worlds: &[&dyn TracedWorld],
-    set: &RaySet,
-    rounds: usize,
-) -> Vec<Vec<f64>> {
+pub(crate) fn interleaved(worlds: &[&dyn Tracer], set: &RaySet, rounds: usize) -> Vec<Vec<f64>> {
     let mut times = vec![Vec::with_capacity(rounds); worlds.len()];
     let mut buffers = Buffers::default();
     for round in 0..=rounds {

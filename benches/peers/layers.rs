@@ -1,0 +1,38 @@
+//! What the layers around a structure cost: the scene's objects, the call through a table of
+//! functions.
+
+use srt::accel::{BuildConfig, Bvh8, Indexed, Tracer};
+use srt::record::statistics::median;
+use srt::scene::{Scene, TracedWorld, structure_named};
+use srt::shapes::TriangleSet;
+
+use crate::rays::RaySet;
+use crate::rounds::interleaved;
+
+/// `bvh8` over a scene of one mesh, and over the triangles of the mesh by themselves.
+pub(crate) struct Layers {
+    world: Box<dyn TracedWorld>,
+    triangles: Indexed<TriangleSet, Bvh8>,
+}
+
+impl Layers {
+    pub(crate) fn new(scene: &Scene) -> Result<Self, String> {
+        let structure = structure_named("bvh8").ok_or("there is no `bvh8`")?;
+        let config = BuildConfig::default();
+        let mesh = &scene.meshes()[0];
+        let triangles = TriangleSet::new(&mesh.positions, &mesh.triangles);
+        Ok(Self {
+            world: structure.build(scene, &config),
+            triangles: Indexed::build(triangles, &config),
+        })
+    }
+
+    /// Prints how long the scene takes over the triangles alone, in the median.
+    pub(crate) fn measure(&self, set: &RaySet, rounds: usize) {
+        let tracers: [&dyn Tracer; 2] = [&*self.world, &self.triangles];
+        let times = interleaved(&tracers, set, rounds);
+        let ratios: Vec<_> = times[0].iter().zip(&times[1]).map(|(a, b)| a / b).collect();
+        let ratio = median(&ratios).unwrap_or(f64::NAN);
+        println!("The scene over its triangles alone, {:?}: {ratio:.3} of the time.\n", set.class);
+    }
+}
