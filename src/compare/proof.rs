@@ -20,6 +20,11 @@ pub(super) struct Expected<'a> {
 }
 
 impl Expected<'_> {
+    /// Whether the reference answered all recorded rays of the class.
+    pub(super) fn is_whole(&self) -> bool {
+        self.rays.len() == self.set.rays.len()
+    }
+
     /// As many of the rays as `share` has time for, evenly spread, and their places.
     pub(super) fn asked(&self, time: Option<Duration>, share: Duration) -> (Vec<usize>, Vec<Ray>) {
         let count = affordable(time, share).min(self.rays.len());

@@ -24,8 +24,8 @@ use super::entrant::Entrant;
 use super::plan::{Plan, SweepPlan};
 use super::progress::Progress;
 use super::record_rays::{Limits, RaySet, record};
-use super::replay::{probe, replay};
-use super::scene::Stage;
+use super::replay::{probe_all, replay};
+use super::scene::{Stage, base_name};
 
 /// Side of the picture whose rays are recorded.
 const SIDE: u32 = 200;
@@ -50,7 +50,8 @@ pub(super) fn sweep(
             continue;
         };
         let cancelled = || progress.cancelled();
-        let stage = Stage { scene: &scene, plan, pools, cancelled: &cancelled };
+        let base = base_name(structures);
+        let stage = Stage { scene: &scene, plan, pools, base, cancelled: &cancelled };
         let share = budget.share(share_of_first(&sweep.sizes[done..]));
         let entrants = measure(&left, &stage, share);
         let triangles = scene.triangle_count();
@@ -77,12 +78,13 @@ fn measure<'a>(left: &[&'a Structure], stage: &Stage<'_>, budget: Budget) -> Vec
     for entrant in &mut entrants {
         stage.pools.all.install(|| entrant.build(stage.scene, &stage.plan.build));
     }
+    let times: Vec<_> = entrants.iter_mut().map(|entrant| probe_all(entrant, &sets)).collect();
     for (done, set) in sets.iter().enumerate() {
         if (stage.cancelled)() {
             entrants.iter_mut().for_each(Entrant::stop);
             break;
         }
-        let times: Vec<_> = entrants.iter_mut().map(|entrant| probe(entrant, set)).collect();
+        let times: Vec<_> = times.iter().map(|times| times[done]).collect();
         let share = budget.share(1.0 / (sets.len() - done) as f64);
         replay(&mut entrants, set, &times, stage, share);
     }
@@ -92,7 +94,7 @@ fn measure<'a>(left: &[&'a Structure], stage: &Stage<'_>, budget: Budget) -> Vec
 /// The rays of a small rendering.
 fn rays(stage: &Stage<'_>, budget: Budget) -> Vec<RaySet> {
     let Some(guide) = structure_named("bvh") else { return Vec::new() };
-    let Stage { scene, plan, pools, cancelled } = *stage;
+    let Stage { scene, plan, pools, cancelled, .. } = *stage;
     let guide = pools.all.install(|| guide.build(scene, &BuildConfig::default()));
     let limits = Limits {
         per_class: plan.rays_per_class,

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::derived::wall_ns_per_ray;
+use super::derived::own_ns_per_ray;
 use super::statistics::{Estimate, unpaired_ratio};
 use super::{ClassRecord, Comparison, RayClass, Run};
 
@@ -68,7 +68,7 @@ impl Changes {
                 new.rays, old.rays
             ));
         }
-        let times = |class: &ClassRecord| wall_ns_per_ray(&class.rounds, class.rays);
+        let times = |class: &ClassRecord| own_ns_per_ray(&class.rounds, class.rays);
         if let Some(slowdown) = unpaired_ratio(&times(new), &times(old)) {
             self.changes.push(Change {
                 scene: scene.to_owned(),

@@ -98,12 +98,14 @@ fn speedup(own: &StructureFigures, class: RayClass) -> Option<String> {
 fn remark(scene: &SceneRecord, structure: &str, status: &Status) -> String {
     let proof = scene.proof.as_ref();
     let yardstick = proof.and_then(|proof| proof.yardstick(structure));
+    let alone = proof.is_some_and(|proof| proof.structures.len() + proof.yardsticks.len() == 1);
     let proof = proof.and_then(|proof| proof.structure(structure));
     match (status, proof) {
         (Status::Failed { message }, _) => format!("failed: {message}"),
         (Status::TooSlow { .. }, _) => "too slow".to_owned(),
         (_, Some(entry)) if !entry.holds() => "DIFFERS".to_owned(),
         (Status::Stopped, _) => "stopped".to_owned(),
+        (Status::Ok, Some(_)) if alone => "reference".to_owned(),
         (Status::Ok, Some(entry)) if entry.picture_equal == Some(true) => "equal".to_owned(),
         (Status::Ok, _) => yardstick.map_or_else(|| NOTHING.to_owned(), tables::agreement),
     }

@@ -2,7 +2,7 @@
 
 use super::numbers;
 use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures, SweepFigures};
-use crate::record::{Comparison, Proof, RayClass, SceneRecord};
+use crate::record::{Comparison, Proof, RayClass, SceneRecord, Status, StructureRecord};
 
 /// Scenes that are named as not proved; more are counted.
 const NAMED_SCENES: usize = 3;
@@ -22,6 +22,7 @@ pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
     if let Some(difference) = difference(comparison) {
         return format!("{partial}{difference}");
     }
+    let failed = failures(&comparison.scenes).map_or_else(String::new, |text| text + "; ");
     let alone = comparison.scenes.is_empty();
     let growth = || derived.sweeps.iter().filter(|_| alone).find_map(growth);
     let mut scenes = derived.scenes.iter().zip(&comparison.scenes);
@@ -34,7 +35,26 @@ pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
             "nothing was traced".to_owned()
         }
     });
-    format!("{partial}{speed}; {}.", equality(&comparison.scenes))
+    format!("{partial}{failed}{speed}; {}.", equality(&comparison.scenes))
+}
+
+/// The structures that failed, each once, with why the first time. A yardstick that does not know
+/// a scene's shapes was not asked for more.
+fn failures(scenes: &[SceneRecord]) -> Option<String> {
+    let mut failures: Vec<(&str, &str, &str)> = Vec::new();
+    for scene in scenes {
+        for row in scene.structures.iter().filter(|row| !row.yardstick) {
+            let Status::Failed { message } = &row.status else { continue };
+            if failures.iter().all(|(name, ..)| *name != row.name) {
+                failures.push((&row.name, &scene.name, message));
+            }
+        }
+    }
+    let text = |(name, scene, message): &(&str, &str, &str)| {
+        format!("{name} FAILED in {scene}: {message}")
+    };
+    let texts: Vec<String> = failures.iter().map(text).collect();
+    (!texts.is_empty()).then(|| texts.join("; "))
 }
 
 /// The fastest structure of a scene against its base; yardsticks are not in the running.
@@ -51,12 +71,11 @@ fn speed(scene: &SceneFigures, record: &SceneRecord) -> Option<String> {
         });
     }
     let speedup = figures.speedup?;
-    let sure = numbers::spread(speedup).map_or_else(
-        || "too few rounds for an interval".to_owned(),
-        |spread| format!("95\u{a0}%\u{a0}{spread}"),
-    );
+    let Some(spread) = numbers::spread(speedup) else {
+        return Some(format!("too few rounds were made in {scene} to say which is how fast"));
+    };
     Some(format!(
-        "{} traces {} rays of {scene} {}\u{a0}× ({sure}) as fast as {base}",
+        "{} traces {} rays of {scene} {}\u{a0}× (95\u{a0}%\u{a0}{spread}) as fast as {base}",
         fastest.structure,
         class.name(),
         numbers::median(speedup),
@@ -156,7 +175,8 @@ fn unproved(scene: &SceneRecord) -> Option<String> {
         return Some(format!("{} (nothing to compare it with)", scene.name));
     }
     let (mut without, mut smaller) = (Vec::new(), Vec::new());
-    for structure in &scene.structures {
+    let failed = |row: &&StructureRecord| matches!(row.status, Status::Failed { .. });
+    for structure in scene.structures.iter().filter(|row| !failed(row)) {
         let entry = scene.proof.as_ref().and_then(|proof| proof.structure(&structure.name));
         match entry.map(|entry| (entry.picture_equal, entry.picture_hash.is_some())) {
             Some((Some(true), true)) => {}

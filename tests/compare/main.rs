@@ -5,6 +5,7 @@
 mod broken;
 mod same_rays;
 mod sampling;
+mod slow;
 
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, Ordering};

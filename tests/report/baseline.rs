@@ -11,6 +11,7 @@ fn slower(factor: f64) -> Comparison {
     let mut comparison = sample::full();
     for round in &mut comparison.scenes[0].structures[2].classes[0].rounds {
         round.wall_ns = (round.wall_ns as f64 * factor) as u64;
+        round.cpu_ns = round.cpu_ns.map(|cpu| (cpu as f64 * factor) as u64);
     }
     comparison
 }

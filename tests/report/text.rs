@@ -30,8 +30,21 @@ fn the_verdict_of_few_rounds_claims_no_interval() {
         structure.classes[0].rounds.truncate(2);
     }
     let text = verdict(&comparison);
-    assert!(text.contains("(too few rounds for an interval) as fast as none"), "{text}");
+    assert!(text.starts_with("too few rounds were made in bunny to say which is"), "{text}");
     assert!(text.ends_with("; no pictures were compared."), "{text}");
+}
+
+#[test]
+fn the_verdict_names_what_failed_first() {
+    let mut comparison = sample::full();
+    comparison.scenes.truncate(1);
+    let row = &mut comparison.scenes[0].structures[1];
+    row.status = Status::Failed { message: "it panicked: no leaf".to_owned() };
+    row.classes.clear();
+    comparison.scenes[0].proof.as_mut().unwrap().structures.remove(1);
+    let text = verdict(&comparison);
+    assert!(text.starts_with("ball FAILED in bunny: it panicked: no leaf; bvh traces"), "{text}");
+    assert!(text.ends_with("; pictures equal bit for bit."), "{text}");
 }
 
 #[test]

@@ -15,7 +15,7 @@ use serde::Serialize;
 use super::Comparison;
 
 pub use class::ClassFigures;
-pub(super) use class::wall_ns_per_ray;
+pub(super) use class::own_ns_per_ray;
 pub use noise::{NoiseFigures, Pairing};
 pub use operation::OperationFigures;
 pub use scene::{SceneFigures, StructureFigures};

@@ -20,7 +20,7 @@ pub(super) use scene::{
 pub(super) use stages::stage_table;
 
 use super::numbers::{self, NOTHING};
-use crate::record::statistics::Estimate;
+use crate::record::statistics::{Estimate, INTERVAL_ROUNDS};
 
 /// A table with a heading line.
 pub(super) struct Table {
@@ -60,6 +60,11 @@ impl Table {
     }
 }
 
+/// What stands in place of an interval for which there were too few rounds.
+fn too_few(estimate: Estimate) -> Option<String> {
+    (estimate.rounds < INTERVAL_ROUNDS).then(|| NOTHING.to_owned())
+}
+
 impl Cell {
     fn text(text: impl Into<String>) -> Self {
         Self { text: text.into(), spread: None }
@@ -78,7 +83,7 @@ impl Cell {
     fn estimate(estimate: Option<Estimate>) -> Self {
         estimate.map_or_else(Self::nothing, |estimate| Self {
             text: numbers::median(estimate),
-            spread: numbers::spread(estimate),
+            spread: numbers::spread(estimate).or_else(|| too_few(estimate)),
         })
     }
 
@@ -86,7 +91,7 @@ impl Cell {
     fn time(estimate: Option<Estimate>) -> Self {
         estimate.map_or_else(Self::nothing, |estimate| {
             let (text, spread) = numbers::time_estimate(estimate);
-            Self { text, spread }
+            Self { text, spread: spread.or_else(|| too_few(estimate)) }
         })
     }
 }
