@@ -12,6 +12,10 @@ use super::entrant::{Answers, Entrant, trace};
 use super::hash::picture_hash;
 use super::record_rays::{Query, RaySet, spread};
 
+/// What comparing a class may always take for each structure, even if the budget is spent: quick
+/// structures are never measured without it.
+pub(super) const LEAST_SHARE: Duration = Duration::from_millis(2);
+
 /// What the reference says to the rays of a class.
 pub(super) struct Expected<'a> {
     pub(super) set: &'a RaySet,

@@ -71,11 +71,15 @@ pub(super) fn probe_all(entrant: &mut Entrant<'_>, sets: &[RaySet]) -> Vec<Optio
     sets.iter().map(probe).collect()
 }
 
-/// The time of some rays. It leaves out what other programs took of the processor meanwhile, so
-/// that one look is enough for a slow structure.
+/// What a look may take longer on the wall than of its own, at most.
+const MOST_WAITING: u64 = 4;
+
+/// The time of some rays. What other programs take of the processor now, they will take of the
+/// rounds too, but a single interruption of a short look is not taken for the rule.
 fn look(tracer: &dyn Tracer, set: &RaySet, rays: &[Ray]) -> Duration {
     let work = || trace(tracer, set.query, rays, &mut Answers::default(), None);
-    Duration::from_nanos(timed(work).1.own_ns())
+    let round = timed(work).1;
+    Duration::from_nanos(round.wall_ns.min(round.own_ns().saturating_mul(MOST_WAITING)))
 }
 
 /// A structure's part in the rounds of a class.

@@ -40,7 +40,9 @@ impl Outcome {
             !row.yardstick || traced.is_some()
         };
         let failed = |row: &StructureRecord| matches!(row.status, Status::Failed { .. });
+        let mut dropped = self.comparison.sweeps.iter().flat_map(|sweep| &sweep.dropped);
         scenes.iter().filter_map(|scene| scene.proof.as_ref()).all(Proof::holds)
+            && !dropped.any(|structure| structure.failed)
             && !scenes
                 .iter()
                 .any(|scene| scene.structures.iter().any(|row| failed(row) && asked(scene, row)))

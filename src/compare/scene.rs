@@ -205,7 +205,7 @@ impl Work<'_> {
         let Some(reference) = none.or_else(quick).or_else(any) else { return };
         let classes = self.recording.sets.len().max(1) as f64;
         let lanes = 2.0 * self.entrants.len() as f64;
-        let share = budget.left().mul_f64(0.1 / lanes / classes);
+        let share = budget.left().mul_f64(0.1 / lanes / classes).max(proof::LEAST_SHARE);
         let times = &self.ray_times;
         let sets = &self.recording.sets;
         let expected =

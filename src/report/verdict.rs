@@ -18,11 +18,19 @@ pub fn verdict(comparison: &Comparison) -> String {
 }
 
 pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
+    match headline(comparison, derived) {
+        (claim, Some(rest)) => format!("{claim}; {rest}"),
+        (claim, None) => claim,
+    }
+}
+
+/// The verdict's claim, and what else it says: that the speed is one of equal work, or of how much
+/// that was not shown.
+pub(super) fn headline(comparison: &Comparison, derived: &Derived) -> (String, Option<String>) {
     let partial = if comparison.run.partial { "Stopped early: " } else { "" };
     if let Some(difference) = difference(comparison) {
-        return format!("{partial}{difference}");
+        return (format!("{partial}{difference}"), None);
     }
-    let failed = failures(&comparison.scenes).map_or_else(String::new, |text| text + "; ");
     let alone = comparison.scenes.is_empty();
     let growth = || derived.sweeps.iter().filter(|_| alone).find_map(growth);
     let mut scenes = derived.scenes.iter().zip(&comparison.scenes);
@@ -35,7 +43,11 @@ pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
             "nothing was traced".to_owned()
         }
     });
-    format!("{partial}{failed}{speed}; {}.", equality(&comparison.scenes))
+    let equality = equality(&comparison.scenes);
+    match failures(&comparison.scenes) {
+        Some(failed) => (format!("{partial}{failed}"), Some(format!("{speed}; {equality}."))),
+        None => (format!("{partial}{speed}"), Some(format!("{equality}."))),
+    }
 }
 
 /// The structures that failed, each once, with why the first time. A yardstick that does not know
@@ -180,8 +192,8 @@ fn unproved(scene: &SceneRecord) -> Option<String> {
         let entry = scene.proof.as_ref().and_then(|proof| proof.structure(&structure.name));
         match entry.map(|entry| (entry.picture_equal, entry.picture_hash.is_some())) {
             Some((Some(true), true)) => {}
-            Some((Some(true), false)) => smaller.push(format!("`{}`", structure.name)),
-            _ => without.push(format!("`{}`", structure.name)),
+            Some((Some(true), false)) => smaller.push(structure.name.as_str()),
+            _ => without.push(structure.name.as_str()),
         }
     }
     let reasons: Vec<String> = [("no picture", without), ("a smaller one", smaller)]

@@ -3,14 +3,18 @@
 //! Markdown and HTML draw the same tables, so they say the same numbers. Knows records and
 //! figures; knows neither of the languages.
 
+mod baseline;
 mod growth;
+mod overall;
 mod rounds;
 mod run;
 mod sampling;
 mod scene;
 mod stages;
 
+pub(super) use baseline::baseline_table;
 pub(super) use growth::growth_tables;
+pub(super) use overall::{overall_table, proof_matrix};
 pub(super) use rounds::round_table;
 pub(super) use run::facts;
 pub(super) use sampling::sampling_tables;
@@ -36,7 +40,7 @@ pub(super) struct Table {
 
 /// A column's heading, and whether numbers stand in it.
 pub(super) struct Column {
-    pub(super) head: &'static str,
+    pub(super) head: String,
     pub(super) numeric: bool,
 }
 
@@ -50,10 +54,10 @@ pub(super) struct Cell {
 
 impl Table {
     /// A table without lines. Columns whose heading starts with `#` hold numbers.
-    fn new(title: impl Into<String>, note: impl Into<String>, heads: &[&'static str]) -> Self {
-        let column = |&head: &&'static str| match head.strip_prefix('#') {
-            Some(head) => Column { head, numeric: true },
-            None => Column { head, numeric: false },
+    fn new(title: impl Into<String>, note: impl Into<String>, heads: &[&str]) -> Self {
+        let column = |head: &&str| {
+            let number = head.strip_prefix('#');
+            Column { head: number.unwrap_or(head).to_owned(), numeric: number.is_some() }
         };
         let columns = heads.iter().map(column).collect();
         Self { title: title.into(), note: note.into(), columns, rows: Vec::new() }
