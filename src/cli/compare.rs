@@ -16,8 +16,7 @@ use super::terminal::{tell, tell_error};
 use crate::accel::BuildConfig;
 use crate::compare::{self, PictureOptions, Plan, SceneInput, SweepPlan};
 use crate::image_io::{Format, encode};
-use crate::record::Comparison;
-use crate::record::baseline::Changes;
+use crate::record::baseline::{Baseline, Changes};
 use crate::report::terminal;
 use crate::scene::{STRUCTURES, Structure, structure_named};
 
@@ -27,6 +26,9 @@ const MOST_SECONDS: u64 = 150;
 const SECONDS_A_SWEEP: u64 = 60;
 const SECONDS_A_STUDY: u64 = 60;
 
+/// Fewer seconds than this for a scene seldom leave enough rounds for intervals.
+const FEWEST_SECONDS: f64 = 5.0;
+
 /// Compares, writes the report and prints its table.
 pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcome {
     let baseline = arguments.baseline.as_deref().map(read_record).transpose()?;
@@ -34,15 +36,31 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcom
     let Some(scenes) = load_all(arguments)? else { return Ok(Exit::Trouble) };
     let folder = ResultFolder::prepare(&out)?;
     let plan = plan(arguments, scenes);
+    if let Some(note) = too_short(&plan).filter(|_| !arguments.quiet) {
+        tell(note);
+    }
     let progress = CompareProgress::start(arguments.quiet, interrupt.clone());
     let structures = structures(arguments);
     let outcome = interrupt.heeded_by(|| compare::run(&plan, &structures, &progress));
     drop(progress);
-    let outcome = outcome.map_err(Failure::new)?;
+    let mut outcome = outcome.map_err(Failure::new)?;
+    outcome.comparison.baseline = baseline.map(|old| Baseline {
+        threshold: arguments.fail_above,
+        outcome: Changes::between(&old, &outcome.comparison),
+    });
     folder.write(&outcome.comparison, &encoded(&outcome.pictures)?)?;
-    let fine = tell_outcome(arguments, &outcome, baseline.as_ref(), folder.path())?;
+    let fine = tell_outcome(arguments, &outcome, folder.path())?;
+    let compared = |baseline: &Baseline| !baseline.outcome.changes.is_empty();
+    let in_vain = !outcome.comparison.baseline.as_ref().is_none_or(compared);
     Ok(match (outcome.comparison.run.partial, fine) {
         (true, _) => Exit::Interrupted,
+        (false, _) if in_vain => {
+            tell_error(
+                "the baseline has nothing in common with this comparison: there is no class of \
+                 rays that both measured with the same structure in the same scene",
+            );
+            Exit::Trouble
+        }
         (false, true) => Exit::Fine,
         (false, false) => Exit::Negative,
     })
@@ -52,15 +70,13 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcom
 fn tell_outcome(
     arguments: &CompareArguments,
     outcome: &compare::Outcome,
-    baseline: Option<&Comparison>,
     folder: &Path,
 ) -> Result<bool, Failure> {
     let mut text = terminal::write(&outcome.comparison);
     let mut fine = outcome.holds();
-    if let Some(old) = baseline {
-        let changes = Changes::between(old, &outcome.comparison);
-        fine &= changes.regressions(arguments.fail_above).next().is_none();
-        text += &terminal::write_changes(&changes, arguments.fail_above);
+    if let Some(Baseline { threshold, outcome: changes }) = &outcome.comparison.baseline {
+        fine &= changes.regressions(*threshold).next().is_none();
+        text += &terminal::write_changes(changes, *threshold);
     }
     for scene in &outcome.comparison.scenes {
         for entry in scene.proof.iter().flat_map(|proof| &proof.structures) {
@@ -157,6 +173,23 @@ fn plan(arguments: &CompareArguments, scenes: Vec<SceneInput>) -> Plan {
     plan
 }
 
+/// What to tell beforehand of a budget in which there is no time for intervals.
+fn too_short(plan: &Plan) -> Option<String> {
+    let (budget, scenes) = (plan.budget?.as_secs_f64(), plan.scenes.len());
+    let parts = scenes + usize::from(plan.sweep.is_some()) + usize::from(plan.sampling_study);
+    let each = budget / parts.max(1) as f64;
+    let what = match (scenes, parts - scenes) {
+        (1, 0) => "1 scene".to_owned(),
+        (_, 0) => format!("{scenes} scenes"),
+        _ => format!("{parts} parts"),
+    };
+    let enough = (FEWEST_SECONDS * parts as f64).ceil();
+    (each < FEWEST_SECONDS).then(|| {
+        let share = if parts > 1 { format!(" is {each:.1} s each,") } else { " is".to_owned() };
+        format!("note: {what} in {budget} s{share} too little for intervals; --budget {enough}")
+    })
+}
+
 /// The structures that were named, yardsticks among them, or all structures.
 fn structures(arguments: &CompareArguments) -> Vec<Structure> {
     let named = |name: &String| structure_named(name);
@@ -198,6 +231,21 @@ mod tests {
         assert_eq!(quoted("scenes/hall.sce"), "scenes/hall.sce");
         assert_eq!(quoted("my scene's.sce"), r"'my scene'\''s.sce'");
         assert_eq!(quoted(""), "''");
+    }
+
+    #[test]
+    fn a_budget_without_time_for_intervals_is_told() {
+        let told = |sweep: bool, seconds| {
+            let mut plan = Plan::of_scenes(Vec::new());
+            let mesh = crate::assets::generate::Kind::ALL[0];
+            plan.sweep = sweep.then(|| SweepPlan { mesh, sizes: vec![1] });
+            plan.sampling_study = true;
+            plan.budget = Some(Duration::from_secs(seconds));
+            too_short(&plan)
+        };
+        let note = "note: 2 parts in 6 s is 3.0 s each, too little for intervals; --budget 10";
+        assert_eq!(told(true, 6).as_deref(), Some(note));
+        assert_eq!((told(true, 10), told(false, 5)), (None, None));
     }
 
     #[test]

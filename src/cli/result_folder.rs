@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
 use super::output::Output;
-use crate::record::Comparison;
+use crate::record::{Comparison, SceneRecord};
 use crate::report::{csv, html, json, markdown};
 
 /// The bytes of pictures by the names of their files.
@@ -24,6 +24,12 @@ pub(super) struct ResultFolder {
 impl ResultFolder {
     /// Makes a folder, unless it is there, and tries whether it takes the files of a report.
     pub(super) fn prepare(path: &Path) -> Result<Self, Failure> {
+        if path.is_file() {
+            return Err(Failure::new(format_args!(
+                "`{}` is a file, and a report is a folder of files: give --out another name",
+                path.display()
+            )));
+        }
         fs::create_dir_all(path).map_err(|error| {
             Failure::new(format_args!("cannot make the folder `{}`: {error}", path.display()))
         })?;
@@ -44,6 +50,7 @@ impl ResultFolder {
         comparison: &Comparison,
         pictures: &PictureFiles,
     ) -> Result<(), Failure> {
+        self.remove_stale(comparison);
         for (name, bytes) in pictures {
             self.write_file(name, bytes)?;
         }
@@ -57,10 +64,39 @@ impl ResultFolder {
         self.write_file("report.html", html::write(comparison, pictures).as_bytes())
     }
 
+    /// Removes the pictures of the report that was here before, unless the new one has pictures of
+    /// their names: they would be taken for its own. One that cannot be removed stays.
+    fn remove_stale(&self, comparison: &Comparison) {
+        let Ok(old) = read_record(&self.path.join("report.json")) else { return };
+        let new = picture_names(comparison);
+        let stale = picture_names(&old).into_iter().filter(|name| !new.contains(name));
+        // A record may come from anywhere: a name that leads out of the folder is left alone.
+        for name in stale.filter(|name| is_inside(name) && has_extension(name, "png")) {
+            let _ = fs::remove_file(self.path.join(name));
+        }
+    }
+
     fn write_file(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
         let output = Output::prepare(&self.path.join(name))?;
         output.write(|to| to.write_all(bytes)).map_err(Failure::from)
     }
+}
+
+/// The files of all pictures that a record names.
+fn picture_names(comparison: &Comparison) -> Vec<String> {
+    let heatmaps = |scene: &SceneRecord| {
+        let all = scene.structures.iter().filter_map(|own| own.heatmap.clone());
+        scene.picture.clone().into_iter().chain(all).collect::<Vec<_>>()
+    };
+    comparison.scenes.iter().flat_map(heatmaps).map(|picture| picture.file).collect()
+}
+
+fn is_inside(name: &str) -> bool {
+    Path::new(name).components().all(|part| matches!(part, std::path::Component::Normal(_)))
+}
+
+fn has_extension(name: &str, extension: &str) -> bool {
+    Path::new(name).extension().is_some_and(|own| own == extension)
 }
 
 /// Reads a record from its file.

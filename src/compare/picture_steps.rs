@@ -6,6 +6,7 @@ use crate::image_io::Picture;
 use crate::render::Settings;
 
 use super::budget::Budget;
+use super::entrant::Entrant;
 use super::plan::fit;
 use super::scene::Work;
 use super::{pictures, proof};
@@ -27,12 +28,20 @@ impl Work<'_> {
         let budget = picture_budget(budget);
         let settings = self.settings();
         let estimates = self.estimates(self.samples());
-        let fit = pictures::that_fit(&estimates, budget.left());
+        let fit = pictures::that_fit(&self.with_builds(&estimates), budget.left());
         self.note_missing(&fit, &estimates, "picture");
         let all =
             pictures::measure(&mut self.entrants, &fit, &settings, &self.stage, budget.share(0.5));
         self.compare_pictures(&all);
         self.compare_small_pictures(&fit, &estimates, budget.share(0.3));
+    }
+
+    /// Times of pictures with those of the builds before them: a round of the picture builds anew.
+    pub(super) fn with_builds(&self, pictures: &[Option<Duration>]) -> Vec<Option<Duration>> {
+        let with_build = |(entrant, time): (&Entrant<'_>, &Option<Duration>)| {
+            Some((*time)?.saturating_add(entrant.report()?.time))
+        };
+        self.entrants.iter().zip(pictures).map(with_build).collect()
     }
 
     /// Compares the pictures, and keeps the reference's.
@@ -128,19 +137,28 @@ impl Work<'_> {
         }
     }
 
+    /// One sentence of all that had no time for a picture.
     fn note_missing(&mut self, fit: &[usize], estimates: &[Option<Duration>], what: &str) {
-        for (index, entrant) in self.entrants.iter().enumerate() {
-            if let Some(time) = estimates[index].filter(|_| !fit.contains(&index)) {
-                self.outcome.notes.push(format!(
-                    "{}: `{}` made no {what}: it would have taken about {:.0} s, beyond its share \
-                     of the budget.",
-                    self.input.name,
-                    entrant.structure.name,
-                    time.as_secs_f64().max(1.0),
-                ));
-            }
+        let missing = |(index, entrant): (usize, &Entrant<'_>)| {
+            let time = estimates[index].filter(|_| !fit.contains(&index))?;
+            Some(format!("`{}` (about {})", entrant.structure.name, in_words(time)))
+        };
+        let missing: Vec<String> = self.entrants.iter().enumerate().filter_map(missing).collect();
+        if !missing.is_empty() {
+            self.outcome.notes.push(format!(
+                "{}: no {what} for want of time: {}.",
+                self.input.name,
+                missing.join(", "),
+            ));
         }
     }
+}
+
+/// A time that was estimated, with two figures.
+fn in_words(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    let (value, unit) = if seconds < 1.0 { (seconds * 1e3, "ms") } else { (seconds, "s") };
+    if value < 10.0 { format!("{value:.1} {unit}") } else { format!("{value:.0} {unit}") }
 }
 
 /// What rendering may take of what is left of a scene's time.

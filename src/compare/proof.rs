@@ -12,6 +12,10 @@ use super::entrant::{Answers, Entrant, trace};
 use super::hash::picture_hash;
 use super::record_rays::{Query, RaySet, spread};
 
+/// What comparing a class may always take for each structure, even if the budget is spent: quick
+/// structures are never measured without it.
+pub(super) const LEAST_SHARE: Duration = Duration::from_millis(2);
+
 /// What the reference says to the rays of a class.
 pub(super) struct Expected<'a> {
     pub(super) set: &'a RaySet,
@@ -20,6 +24,11 @@ pub(super) struct Expected<'a> {
 }
 
 impl Expected<'_> {
+    /// Whether the reference answered all recorded rays of the class.
+    pub(super) fn is_whole(&self) -> bool {
+        self.rays.len() == self.set.rays.len()
+    }
+
     /// As many of the rays as `share` has time for, evenly spread, and their places.
     pub(super) fn asked(&self, time: Option<Duration>, share: Duration) -> (Vec<usize>, Vec<Ray>) {
         let count = affordable(time, share).min(self.rays.len());

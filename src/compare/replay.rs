@@ -1,15 +1,16 @@
 //! The recorded rays of a class through all structures, in interleaved rounds on one thread.
 //!
 //! Where a structure would take too long for all rays, it traces as many of them, evenly spread,
-//! as its share of the budget allows; nanoseconds per ray stay comparable. Where not even a few
-//! rays fit, it sits the class out and its row says so.
+//! as its share of the budget allows. For the ratio, the quicker of it and the base then traces the
+//! rays of the slower too, in every round. Where not even a few rays fit, it sits the class out and
+//! its row says so.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use crate::accel::Tracer;
 use crate::counters::Counts;
 use crate::math::Ray;
-use crate::record::{ClassRecord, Round};
+use crate::record::{ClassRecord, CommonRays, Round};
 
 use super::Stage;
 use super::budget::Budget;
@@ -30,13 +31,27 @@ const LEAST_ROUND: Duration = Duration::from_millis(2);
 const PROBE_TIME: Duration = Duration::from_millis(3);
 
 /// How long one of a structure's rays takes, by a quick look; `None` if it fails.
-pub(super) fn probe(entrant: &mut Entrant<'_>, set: &RaySet) -> Option<Duration> {
+///
+/// `known` is what a ray of another class took it. A structure of which a single ray takes longer
+/// than a look may is not asked again: it tests nearly everything for rays of any class, and every
+/// one of them would cost more than a small budget has.
+pub(super) fn probe(
+    entrant: &mut Entrant<'_>,
+    set: &RaySet,
+    known: Option<Duration>,
+) -> Option<Duration> {
+    if known.is_some_and(|known| known >= PROBE_TIME) {
+        return known.filter(|_| entrant.is_fit());
+    }
     entrant.attempt(|tracer| {
-        let mut count = 4;
+        let mut count = 1;
         loop {
             let rays = spread(&set.rays, count);
-            // The quicker of two: another program may have had the processor meanwhile.
-            let time = (0..2).map(|_| look(tracer, set, &rays)).fold(Duration::MAX, Duration::min);
+            // The quicker of two looks, unless the first took long: caches were cold, or another
+            // program had the processor.
+            let first = look(tracer, set, &rays);
+            let again = || look(tracer, set, &rays);
+            let time = if first >= PROBE_TIME { first } else { first.min(again()) };
             if time >= PROBE_TIME || rays.len() == set.rays.len() {
                 return time.div_f64(rays.len().max(1) as f64);
             }
@@ -45,17 +60,56 @@ pub(super) fn probe(entrant: &mut Entrant<'_>, set: &RaySet) -> Option<Duration>
     })
 }
 
+/// A structure's [`probe`]s of some classes, one after the other: each knows those before it.
+pub(super) fn probe_all(entrant: &mut Entrant<'_>, sets: &[RaySet]) -> Vec<Option<Duration>> {
+    let mut known = None;
+    let probe = |set| {
+        let time = probe(entrant, set, known);
+        known = known.max(time);
+        time
+    };
+    sets.iter().map(probe).collect()
+}
+
+/// What a look may take longer on the wall than of its own, at most.
+const MOST_WAITING: u64 = 4;
+
+/// The time of some rays. What other programs take of the processor now, they will take of the
+/// rounds too, but a single interruption of a short look is not taken for the rule.
 fn look(tracer: &dyn Tracer, set: &RaySet, rays: &[Ray]) -> Duration {
-    let start = Instant::now();
-    trace(tracer, set.query, rays, &mut Answers::default(), None);
-    start.elapsed()
+    let work = || trace(tracer, set.query, rays, &mut Answers::default(), None);
+    let round = timed(work).1;
+    Duration::from_nanos(round.wall_ns.min(round.own_ns().saturating_mul(MOST_WAITING)))
 }
 
 /// A structure's part in the rounds of a class.
 struct Lane {
     entrant: usize,
     rays: Vec<Ray>,
+    /// The rays of other lanes that it traces too, for ratios on equal rays: of one lane only,
+    /// unless it is the base's.
+    too: Vec<Common>,
     answers: Answers,
+}
+
+/// Rays that the base's lane and another have in common, where one of them has more.
+struct Common {
+    /// The other lane, which is not the base's.
+    lane: usize,
+    rays: Vec<Ray>,
+}
+
+/// Lets the lane that has more rays than its partner trace the partner's too, for each pair of the
+/// base's lane and another.
+fn pair_with_base(lanes: &mut [Lane], base: usize) {
+    for lane in (0..lanes.len()).filter(|&lane| lane != base) {
+        let (own, of_base) = (lanes[lane].rays.len(), lanes[base].rays.len());
+        let (more, fewer) = if own > of_base { (lane, base) } else { (base, lane) };
+        if own != of_base {
+            let rays = lanes[fewer].rays.clone();
+            lanes[more].too.push(Common { lane, rays });
+        }
+    }
 }
 
 /// Measures a class; each structure's row gets it. `ray_times` are the structures' [`probe`]s.
@@ -79,27 +133,71 @@ pub(super) fn replay(
             continue;
         }
         let rays = spread(&set.rays, affordable as usize);
-        lanes.push(Lane { entrant: index, rays, answers: Answers::default() });
+        lanes.push(Lane { entrant: index, rays, too: Vec::new(), answers: Answers::default() });
     }
+    let named = |lane: &Lane| entrants[lane.entrant].structure.name == stage.base;
+    let base = lanes.iter().position(named).unwrap_or_default();
+    pair_with_base(&mut lanes, base);
     let repeat = Repeat { rule, budget, cancelled: &|| (stage.cancelled)() };
     let mut hardware = Hardware::of_this_thread();
     let rounds = interleaved(lanes.len(), &repeat, |lane| {
-        let Lane { entrant, rays, answers } = &mut lanes[lane];
+        let Lane { entrant, rays, too, answers } = &mut lanes[lane];
         let entrant = &mut entrants[*entrant];
         entrant.attempt(|tracer| {
             // The counters are set going outside of what is timed.
             let work = || timed(|| trace(tracer, set.query, rays, answers, None));
             let (((), round), counts) = hardware.count(work);
-            (Round { hardware: counts, ..round }, round.wall_ns)
+            let common: Vec<Round> = too
+                .iter()
+                .map(|common| timed(|| trace(tracer, set.query, &common.rays, answers, None)).1)
+                .collect();
+            (RoundOfLane { all: Round { hardware: counts, ..round }, common }, round.own_ns())
         })
     });
-    for (lane, rounds) in lanes.iter().zip(rounds) {
-        note(&mut entrants[lane.entrant], set, &lane.rays, rounds);
+    for (lane, own) in lanes.iter().enumerate() {
+        let all = rounds[lane].iter().map(|round| round.all).collect();
+        let common = common_rays(&lanes, &rounds, lane, base);
+        note(&mut entrants[own.entrant], set, &own.rays, all, common);
     }
 }
 
+/// A round of a lane: with all its rays, and with the rays of other lanes.
+struct RoundOfLane {
+    all: Round,
+    common: Vec<Round>,
+}
+
+/// What a lane and the base's did with the rays that both traced, where these are not all.
+fn common_rays(
+    lanes: &[Lane],
+    rounds: &[Vec<RoundOfLane>],
+    lane: usize,
+    base: usize,
+) -> Option<CommonRays> {
+    let of = |tracing: usize| {
+        let place = lanes[tracing].too.iter().position(|common| common.lane == lane)?;
+        Some(rounds[tracing].iter().map(|round| round.common[place]).collect())
+    };
+    let all = |tracing: usize| rounds[tracing].iter().map(|round| round.all).collect();
+    if lane == base || lanes[lane].rays.len() == lanes[base].rays.len() {
+        return None;
+    }
+    let rays = lanes[lane].rays.len().min(lanes[base].rays.len()) as u64;
+    let (own, base) = match of(lane) {
+        Some(own) => (own, all(base)),
+        None => (all(lane), of(base)?),
+    };
+    Some(CommonRays { rays, own, base })
+}
+
 /// Counts what the rays test, and adds the class to the structure's row.
-fn note(entrant: &mut Entrant<'_>, set: &RaySet, rays: &[Ray], rounds: Vec<Round>) {
+fn note(
+    entrant: &mut Entrant<'_>,
+    set: &RaySet,
+    rays: &[Ray],
+    rounds: Vec<Round>,
+    common: Option<CommonRays>,
+) {
     if rounds.is_empty() {
         return;
     }
@@ -116,5 +214,6 @@ fn note(entrant: &mut Entrant<'_>, set: &RaySet, rays: &[Ray], rounds: Vec<Round
         boxes: tests.map(|counts| counts.boxes),
         primitives: tests.map(|counts| counts.primitives),
         rounds,
+        common,
     });
 }

@@ -17,7 +17,7 @@ use super::observer::Observer;
 use super::plan::Plan;
 use super::progress::Progress;
 use super::sampling_study::sampling_study;
-use super::scene::compare_scene;
+use super::scene::{base_name, compare_scene};
 use super::sweep::sweep;
 
 /// What came of a plan.
@@ -40,7 +40,9 @@ impl Outcome {
             !row.yardstick || traced.is_some()
         };
         let failed = |row: &StructureRecord| matches!(row.status, Status::Failed { .. });
+        let mut dropped = self.comparison.sweeps.iter().flat_map(|sweep| &sweep.dropped);
         scenes.iter().filter_map(|scene| scene.proof.as_ref()).all(Proof::holds)
+            && !dropped.any(|structure| structure.failed)
             && !scenes
                 .iter()
                 .any(|scene| scene.structures.iter().any(|row| failed(row) && asked(scene, row)))
@@ -82,13 +84,14 @@ pub fn run(
     structures: &[Structure],
     observer: &dyn Observer,
 ) -> Result<Outcome, CompareError> {
-    let first = structures.first().ok_or(CompareError::NoStructure)?;
+    if structures.is_empty() {
+        return Err(CompareError::NoStructure);
+    }
     refuse_twins(structures.iter().map(|structure| structure.name))?;
     refuse_twins(plan.scenes.iter().map(|scene| scene.name.as_str()))?;
     let pools = Pools { one: pool(1)?, all: pool(plan.threads)? };
-    let base = structures.iter().find(|structure| structure.name == "none").unwrap_or(first);
     let start = Instant::now();
-    let mut comparison = Comparison::new(describe(plan), base.name);
+    let mut comparison = Comparison::new(describe(plan), base_name(structures));
     let mut pictures = Vec::new();
     let budget = Budget::from_now(plan.budget);
     let parts =
@@ -100,7 +103,7 @@ pub fn run(
         let from = done as f64 / parts as f64;
         let to = (done + 1) as f64 / parts as f64;
         let progress = Progress { observer, from, to };
-        let share = scene_budget(plan, budget, parts - done);
+        let share = scene_budget(plan, budget, parts, parts - done);
         let outcome = progress
             .watch(share, || compare_scene(input, structures, plan, &pools, share, &progress));
         comparison.scenes.push(outcome.record);
@@ -112,13 +115,13 @@ pub fn run(
         let from = done as f64 / parts as f64;
         let to = (done + 1) as f64 / parts as f64;
         let progress = Progress { observer, from, to };
-        let share = scene_budget(plan, budget, parts - done);
+        let share = scene_budget(plan, budget, parts, parts - done);
         let work = || sweep(growth, structures, plan, &pools, share, &progress);
         comparison.sweeps.push(progress.watch(share, work));
     }
     if plan.sampling_study && !observer.cancelled() {
         let progress = Progress { observer, from: (parts - 1) as f64 / parts as f64, to: 1.0 };
-        let share = scene_budget(plan, budget, 1);
+        let share = scene_budget(plan, budget, parts, 1);
         let work = || sampling_study(plan, &pools, share, &progress);
         let study = progress.watch(share, work);
         comparison.sampling = Some(study.chapter);
@@ -130,12 +133,13 @@ pub fn run(
     Ok(Outcome { comparison, pictures })
 }
 
-/// An even share of what is left for each of the scenes that are left.
-fn scene_budget(plan: &Plan, budget: Budget, left: usize) -> Budget {
-    match plan.budget {
-        Some(_) => budget.share(1.0 / left as f64),
-        None => Budget::from_now(None),
-    }
+/// An even share of what is left for each of the scenes that are left, but never less than half of
+/// an even share of the whole: a scene that took too long takes nothing beyond that from others.
+fn scene_budget(plan: &Plan, budget: Budget, parts: usize, left: usize) -> Budget {
+    let Some(whole) = plan.budget else { return Budget::from_now(None) };
+    let share = budget.left().div_f64(left.max(1) as f64);
+    let floor = whole.div_f64(2.0 * parts.max(1) as f64);
+    Budget::from_now(Some(share.max(floor)))
 }
 
 fn pool(threads: usize) -> Result<ThreadPool, CompareError> {
@@ -180,8 +184,10 @@ fn general_notes() -> Vec<String> {
         "Rays were replayed on one thread, in calls of 1024 as a renderer's waves send them."
             .into(),
         "A structure that had no time for all recorded rays of a class traced as many as its row \
-         says, evenly spread over them: nanoseconds per ray stay comparable, but carry the \
-         uncertainty of the choice beside that of the rounds."
+         says, evenly spread over them. Its ratio to the base is that of the rays that both \
+         traced, in every round; its nanoseconds per ray are those of its own rays, which lie \
+         further apart than all of them, and carry the uncertainty of the choice beside that of \
+         the rounds."
             .into(),
     ]
 }

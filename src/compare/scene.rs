@@ -6,7 +6,7 @@ use crate::accel::{BuildConfig, Tracer};
 use crate::image_io::Picture;
 use crate::record::{Proof, RayClass, SceneRecord, StructureProof};
 use crate::render::Settings;
-use crate::scene::{Scene, Structure, structure_named};
+use crate::scene::{Form, Object, Scene, Structure, structure_named};
 
 use super::budget::Budget;
 use super::entrant::Entrant;
@@ -22,6 +22,8 @@ pub(super) struct Stage<'a> {
     pub(super) scene: &'a Scene,
     pub(super) plan: &'a Plan,
     pub(super) pools: &'a Pools,
+    /// The structure that ratios are taken to, where it has time.
+    pub(super) base: &'a str,
     pub(super) cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
@@ -55,7 +57,8 @@ pub(super) fn compare_scene(
     progress: &Progress<'_>,
 ) -> SceneOutcome {
     let cancelled = || progress.cancelled();
-    let stage = Stage { scene: &input.scene, plan, pools, cancelled: &cancelled };
+    let base = base_name(structures);
+    let stage = Stage { scene: &input.scene, plan, pools, base, cancelled: &cancelled };
     let mut work = Work {
         stage,
         input,
@@ -80,6 +83,12 @@ pub(super) fn compare_scene(
     outcome
 }
 
+/// The structure that ratios are taken to: `none` if it is among them, else the first.
+pub(super) fn base_name(structures: &[Structure]) -> &'static str {
+    let none = structures.iter().find(|structure| structure.name == "none");
+    none.or(structures.first()).map_or("", |base| base.name)
+}
+
 /// A step of a scene, and what it is called.
 type Step<'a> = (&'static str, fn(&mut Work<'a>, Budget));
 
@@ -91,7 +100,7 @@ fn steps<'a>() -> [Step<'a>; 8] {
         ("comparing hits", Work::prove_hits),
         ("rendering", Work::render),
         ("drawing heatmaps", Work::draw_heatmaps),
-        ("measuring overlap", |work, _| quality::add_overlap(&mut work.entrants, &work.stage)),
+        ("measuring overlap", Work::measure_overlap),
         ("timing builds", |work, budget| {
             builds::measure(&mut work.entrants, &work.stage, budget.share(0.25));
         }),
@@ -105,11 +114,19 @@ fn empty(input: &SceneInput) -> SceneOutcome {
         path: input.path.clone(),
         hash: input.hash.clone(),
         objects: input.scene.objects.len() as u64,
-        triangles: input.scene.meshes().iter().map(|mesh| mesh.triangles.len() as u64).sum(),
+        triangles: input.scene.triangle_count(),
+        stored_triangles: stored_triangles(&input.scene),
         lights: input.scene.lights.len() as u64,
         ..SceneRecord::default()
     };
     SceneOutcome { record, pictures: Vec::new(), notes: Vec::new() }
+}
+
+/// Triangles in memory: those of each mesh once, and single ones.
+fn stored_triangles(scene: &Scene) -> u64 {
+    let in_meshes: u64 = scene.meshes().iter().map(|mesh| mesh.triangles.len() as u64).sum();
+    let single = |object: &&Object| matches!(object.form, Form::Triangle(_));
+    in_meshes + scene.objects.iter().filter(single).count() as u64
 }
 
 impl Work<'_> {
@@ -119,7 +136,7 @@ impl Work<'_> {
 
     /// Records the rays, and takes a quick look at how long each structure needs for them.
     fn record(&mut self, budget: Budget) {
-        let Stage { scene, plan, pools, cancelled } = self.stage;
+        let Stage { scene, plan, pools, cancelled, .. } = self.stage;
         // Any structure that keeps the contract will do, so a known one traces.
         let Some(guide) = structure_named("bvh") else { return };
         let guide = pools.all.install(|| guide.build(scene, &BuildConfig::default()));
@@ -143,10 +160,20 @@ impl Work<'_> {
         }
         self.recording.sets.retain(|set| !set.rays.is_empty());
         let sets = &self.recording.sets;
-        let probe_all = |entrant: &mut Entrant<'_>| {
-            sets.iter().map(|set| replay::probe(entrant, set)).collect()
-        };
+        let probe_all = |entrant: &mut Entrant<'_>| replay::probe_all(entrant, sets);
         self.ray_times = self.entrants.iter_mut().map(probe_all).collect();
+    }
+
+    /// Measures end-point overlaps, if there is time left: they are no part of what is compared.
+    fn measure_overlap(&mut self, budget: Budget) {
+        if budget.is_spent() {
+            self.outcome.notes.push(format!(
+                "{}: there was no time left to measure end-point overlaps.",
+                self.input.name
+            ));
+            return;
+        }
+        quality::add_overlap(&mut self.entrants, &self.stage);
     }
 
     /// How long each structure needs for so many view samples and all that follows.
@@ -162,24 +189,28 @@ impl Work<'_> {
     }
 
     /// Compares all answers with the reference's: `none`, if it has time for a picture; else the
-    /// first structure that has.
+    /// first structure that has, of this program if there is one.
     fn prove_hits(&mut self, budget: Budget) {
         let fit = pictures::that_fit(
-            &self.estimates(self.samples()),
+            &self.with_builds(&self.estimates(self.samples())),
             picture_steps::picture_budget(budget).left(),
         );
         let held = |i: &usize| !self.entrants[*i].structure.yardstick;
         let none = fit.iter().copied().find(|&i| self.entrants[i].structure.name == "none");
-        let quick = || fit.iter().copied().find(held);
-        let any = || (0..self.entrants.len()).filter(held).find(|&i| self.entrants[i].is_fit());
+        // A structure of this program rather than one that somebody is trying out.
+        let unknown = |i: &usize| structure_named(self.entrants[*i].structure.name).is_none();
+        let quick = || fit.iter().copied().filter(held).min_by_key(unknown);
+        let is_fit = |i: &usize| held(i) && self.entrants[*i].is_fit();
+        let any = || (0..self.entrants.len()).filter(is_fit).min_by_key(unknown);
         let Some(reference) = none.or_else(quick).or_else(any) else { return };
         let classes = self.recording.sets.len().max(1) as f64;
         let lanes = 2.0 * self.entrants.len() as f64;
-        let share = budget.left().mul_f64(0.1 / lanes / classes);
+        let share = budget.left().mul_f64(0.1 / lanes / classes).max(proof::LEAST_SHARE);
         let times = &self.ray_times;
         let sets = &self.recording.sets;
         let expected =
             proof::expected(&mut self.entrants[reference], sets, &times[reference], share);
+        let thin = expected.iter().any(|class| !class.is_whole());
         let (mut proofs, mut yardsticks) = (Vec::new(), Vec::new());
         for (entrant, times) in self.entrants.iter_mut().zip(times) {
             let structure = entrant.structure.name.to_owned();
@@ -199,8 +230,50 @@ impl Work<'_> {
                 proofs.push(proof);
             }
         }
-        let reference = self.entrants[reference].structure.name.to_owned();
-        self.outcome.record.proof = Some(Proof { reference, structures: proofs, yardsticks });
+        let name = self.entrants[reference].structure.name.to_owned();
+        let mut proof = Proof { reference: name, witness: None, structures: proofs, yardsticks };
+        if thin && !(self.stage.cancelled)() {
+            self.prove_by_witness(reference, &mut proof, share);
+        }
+        self.outcome.record.proof = Some(proof);
+    }
+
+    /// Compares all answers with those of a structure that agreed with the reference on the few
+    /// rays for which that had time, and has time for all. Few rays meet few primitives, and
+    /// whoever loses some of the others would not be caught by them.
+    fn prove_by_witness(&mut self, reference: usize, proof: &mut Proof, share: Duration) {
+        let sets = &self.recording.sets;
+        let is_quick = |&i: &usize| {
+            sets.iter().zip(&self.ray_times[i]).all(|(set, time)| {
+                let all = |time: Duration| time.as_secs_f64() * set.rays.len() as f64;
+                time.is_some_and(|time| all(time) <= share.as_secs_f64())
+            })
+        };
+        let agreed = |name: &str| proof.structure(name).is_some_and(|own| own.rays_checked > 0);
+        let witness = (0..self.entrants.len())
+            .filter(|&i| i != reference && self.entrants[i].is_fit() && is_quick(&i))
+            .filter(|&i| agreed(self.entrants[i].structure.name))
+            .min_by_key(|&i| structure_named(self.entrants[i].structure.name).is_none());
+        let Some(witness) = witness else { return };
+        let times = &self.ray_times;
+        let expected = proof::expected(&mut self.entrants[witness], sets, &times[witness], share);
+        for (index, (entrant, times)) in self.entrants.iter_mut().zip(times).enumerate() {
+            let name = entrant.structure.name;
+            let entry = proof.structures.iter_mut().find(|entry| entry.structure == name);
+            let Some(entry) = entry.filter(|_| index != reference && index != witness) else {
+                continue;
+            };
+            let mut own = StructureProof::default();
+            proof::check_rays(entrant, &expected, times, share, &mut own);
+            // The rays that the reference answered are among these.
+            entry.rays_checked = entry.rays_checked.max(own.rays_checked);
+            entry.differing_hits = entry.differing_hits.max(own.differing_hits);
+            if let Some(text) = own.first_difference {
+                entrant.fail(format!("its answers differ: {text}"));
+                entry.first_difference.get_or_insert(text);
+            }
+        }
+        proof.witness = Some(self.entrants[witness].structure.name.to_owned());
     }
 
     /// Replays every class.

@@ -4,6 +4,7 @@
 //! the time, and the record says so: linear ones leave first. Slopes are computed from the record.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use glam::{DAffine3, DVec3};
 
@@ -13,22 +14,25 @@ use crate::description::{
     Camera, Light, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape,
 };
 use crate::math::Color;
-use crate::record::{Dropped, Status, Sweep, SweepPoint};
+use crate::record::{Dropped, Status, StructureProof, Sweep, SweepPoint};
 use crate::render::Settings;
 use crate::scene::{Scene, SceneError, Structure, structure_named};
 
-use super::Pools;
 use super::budget::Budget;
 use super::clock::nanoseconds;
 use super::entrant::Entrant;
 use super::plan::{Plan, SweepPlan};
 use super::progress::Progress;
 use super::record_rays::{Limits, RaySet, record};
-use super::replay::{probe, replay};
-use super::scene::Stage;
+use super::replay::{probe_all, replay};
+use super::scene::{Stage, base_name};
+use super::{Pools, proof};
 
 /// Side of the picture whose rays are recorded.
 const SIDE: u32 = 200;
+
+/// Comparing hits takes about this share of a size's time.
+const SHARE_OF_PROOF: f64 = 0.1;
 
 /// Builds and traces all sizes.
 pub(super) fn sweep(
@@ -50,9 +54,10 @@ pub(super) fn sweep(
             continue;
         };
         let cancelled = || progress.cancelled();
-        let stage = Stage { scene: &scene, plan, pools, cancelled: &cancelled };
+        let base = base_name(structures);
+        let stage = Stage { scene: &scene, plan, pools, base, cancelled: &cancelled };
         let share = budget.share(share_of_first(&sweep.sizes[done..]));
-        let entrants = measure(&left, &stage, share);
+        let entrants = measure(&left, &stage, share, &mut record.rays_checked);
         let triangles = scene.triangle_count();
         left.retain(|structure| {
             let own = entrants.iter().find(|entrant| entrant.structure.name == structure.name);
@@ -71,28 +76,74 @@ fn share_of_first(sizes: &[u32]) -> f64 {
 }
 
 /// One size, traced by the structures that are left.
-fn measure<'a>(left: &[&'a Structure], stage: &Stage<'_>, budget: Budget) -> Vec<Entrant<'a>> {
+fn measure<'a>(
+    left: &[&'a Structure],
+    stage: &Stage<'_>,
+    budget: Budget,
+    rays_checked: &mut u64,
+) -> Vec<Entrant<'a>> {
     let sets = rays(stage, budget);
     let mut entrants: Vec<Entrant<'_>> = left.iter().map(|&s| Entrant::new(s)).collect();
     for entrant in &mut entrants {
         stage.pools.all.install(|| entrant.build(stage.scene, &stage.plan.build));
     }
+    let times: Vec<_> = entrants.iter_mut().map(|entrant| probe_all(entrant, &sets)).collect();
+    *rays_checked += compare_hits(&mut entrants, &sets, &times, budget);
     for (done, set) in sets.iter().enumerate() {
         if (stage.cancelled)() {
             entrants.iter_mut().for_each(Entrant::stop);
             break;
         }
-        let times: Vec<_> = entrants.iter_mut().map(|entrant| probe(entrant, set)).collect();
+        let times: Vec<_> = times.iter().map(|times| times[done]).collect();
         let share = budget.share(1.0 / (sets.len() - done) as f64);
         replay(&mut entrants, set, &times, stage, share);
     }
     entrants
 }
 
+/// Compares all answers with those of the quickest structure of this program, on as many rays as
+/// there is time for, and gives their number. Who differs is not timed.
+fn compare_hits(
+    entrants: &mut [Entrant<'_>],
+    sets: &[RaySet],
+    times: &[Vec<Option<Duration>>],
+    budget: Budget,
+) -> u64 {
+    let time = |i: &usize| {
+        let rays = times[*i].iter().zip(sets);
+        let of_class = |(time, set): (&Option<Duration>, &RaySet)| {
+            Some(*time.as_ref()? * u32::try_from(set.rays.len()).ok()?)
+        };
+        rays.map(of_class).sum::<Option<Duration>>()
+    };
+    let held = |i: &usize| entrants[*i].is_fit() && !entrants[*i].structure.yardstick;
+    let reference = (0..entrants.len()).filter(held).min_by_key(|i| {
+        let known = structure_named(entrants[*i].structure.name).is_some();
+        (!known, time(i).unwrap_or(Duration::MAX))
+    });
+    let Some(reference) = reference else { return 0 };
+    let lanes = 2.0 * (entrants.len() * sets.len().max(1)) as f64;
+    let share = budget.left().mul_f64(SHARE_OF_PROOF / lanes).max(proof::LEAST_SHARE);
+    let expected = proof::expected(&mut entrants[reference], sets, &times[reference], share);
+    let mut checked = 0;
+    for (index, entrant) in entrants.iter_mut().enumerate() {
+        if index == reference || entrant.structure.yardstick {
+            continue;
+        }
+        let mut own = StructureProof::default();
+        proof::check_rays(entrant, &expected, &times[index], share, &mut own);
+        checked += own.rays_checked;
+        if let Some(text) = own.first_difference {
+            entrant.fail(format!("its answers differ: {text}"));
+        }
+    }
+    checked
+}
+
 /// The rays of a small rendering.
 fn rays(stage: &Stage<'_>, budget: Budget) -> Vec<RaySet> {
     let Some(guide) = structure_named("bvh") else { return Vec::new() };
-    let Stage { scene, plan, pools, cancelled } = *stage;
+    let Stage { scene, plan, pools, cancelled, .. } = *stage;
     let guide = pools.all.install(|| guide.build(scene, &BuildConfig::default()));
     let limits = Limits {
         per_class: plan.rays_per_class,
@@ -130,7 +181,8 @@ fn note(record: &mut Sweep, entrant: &Entrant<'_>, triangles: u64) -> bool {
         }
         Status::Stopped => "the comparison was stopped".to_owned(),
     };
-    record.dropped.push(Dropped { structure: name.to_owned(), triangles, reason });
+    let failed = matches!(entrant.record.status, Status::Failed { .. });
+    record.dropped.push(Dropped { structure: name.to_owned(), triangles, reason, failed });
     false
 }
 

@@ -1,13 +1,22 @@
 //! A record against an older one: what became slower, what faster, and how sure that is.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use super::derived::wall_ns_per_ray;
+use super::derived::own_ns_per_ray;
 use super::statistics::{Estimate, unpaired_ratio};
 use super::{ClassRecord, Comparison, RayClass, Run};
 
+/// What came of setting a comparison against an older one.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Baseline {
+    /// How much slower is a regression: 0.1 is 10 %.
+    pub threshold: f64,
+    /// What changed.
+    pub outcome: Changes,
+}
+
 /// One scene, structure and class that both records have.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Change {
     /// The name of the scene.
     pub scene: String,
@@ -20,12 +29,15 @@ pub struct Change {
 }
 
 /// What changed from an old record to a new one.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Changes {
     /// All that can be compared, in the new record's order.
     pub changes: Vec<Change>,
-    /// Why some or all of it should be doubted, one sentence each: other machines, other rays,
-    /// changed scenes, things that only one record has.
+    /// Why none of it says anything of the program, one sentence each: another processor, other
+    /// rays.
+    pub warnings: Vec<String>,
+    /// Why some of it should be doubted, one sentence each: other settings, changed scenes, things
+    /// that only one record has.
     pub doubts: Vec<String>,
 }
 
@@ -33,7 +45,11 @@ impl Changes {
     /// Compares a new record with an old one. Scenes whose files changed are not compared.
     #[must_use]
     pub fn between(old: &Comparison, new: &Comparison) -> Self {
-        let mut this = Self { changes: Vec::new(), doubts: run_doubts(&old.run, &new.run) };
+        let mut this = Self {
+            changes: Vec::new(),
+            warnings: run_warnings(&old.run, &new.run),
+            doubts: run_doubts(&old.run, &new.run),
+        };
         for scene in &new.scenes {
             let Some(old_scene) = old.scenes.iter().find(|old| old.name == scene.name) else {
                 this.doubts.push(format!("The baseline has no scene {}.", scene.name));
@@ -68,7 +84,7 @@ impl Changes {
                 new.rays, old.rays
             ));
         }
-        let times = |class: &ClassRecord| wall_ns_per_ray(&class.rounds, class.rays);
+        let times = |class: &ClassRecord| own_ns_per_ray(&class.rounds, class.rays);
         if let Some(slowdown) = unpaired_ratio(&times(new), &times(old)) {
             self.changes.push(Change {
                 scene: scene.to_owned(),
@@ -122,7 +138,6 @@ fn missing(old: &Comparison, new: &Comparison) -> Vec<String> {
 fn run_doubts(old: &Run, new: &Run) -> Vec<String> {
     let (old_machine, new_machine) = (&old.machine, &new.machine);
     let facts = [
-        ("processor", old_machine.cpu.clone(), new_machine.cpu.clone()),
         ("number of cores", old_machine.cores.to_string(), new_machine.cores.to_string()),
         (
             "instruction set",
@@ -137,12 +152,22 @@ fn run_doubts(old: &Run, new: &Run) -> Vec<String> {
             new.options.trace_threads.to_string(),
         ),
         ("quality of builds", old.options.build.clone(), new.options.build.clone()),
-        ("seed", old.seed.to_string(), new.seed.to_string()),
     ];
+    differences(facts.into(), "")
+}
+
+/// Differences between the runs that make times those of something else.
+fn run_warnings(old: &Run, new: &Run) -> Vec<String> {
+    let processor = ("processor", old.machine.cpu.clone(), new.machine.cpu.clone());
+    let seed = ("seed", old.seed.to_string(), new.seed.to_string());
+    let mut warnings = differences(vec![processor], " Times of two machines say nothing of srt.");
+    warnings.extend(differences(vec![seed], " The rays are others."));
+    warnings
+}
+
+/// A sentence of each fact that differs, and what follows from it.
+fn differences(facts: Vec<(&str, String, String)>, consequence: &str) -> Vec<String> {
     let differs = |(_, old, new): &(&str, String, String)| old != new;
-    facts
-        .into_iter()
-        .filter(differs)
-        .map(|(name, old, new)| format!("The {name} was {old} and is {new}."))
-        .collect()
+    let sentence = |(name, old, new)| format!("The {name} was {old} and is {new}.{consequence}");
+    facts.into_iter().filter(differs).map(sentence).collect()
 }

@@ -55,6 +55,23 @@ pub struct ClassRecord {
     /// The rounds, in the order in which they were run. Round n of one structure ran beside round
     /// n of every other, so that ratios are taken between rounds of the same number.
     pub rounds: Vec<Round>,
+    /// The rays that both this structure and the base traced, where one of them had time for more
+    /// than the other; absent where they traced the same, and in older records.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub common: Option<CommonRays>,
+}
+
+/// Rays that both a structure and the base traced, each of them beside its other rays in every
+/// round. Times of different rays are no ratio: other rays meet other parts of a scene, and rays
+/// that lie further apart share less of the caches.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct CommonRays {
+    /// How many rays there are.
+    pub rays: u64,
+    /// The structure's rounds with them.
+    pub own: Vec<Round>,
+    /// The base's rounds with them.
+    pub base: Vec<Round>,
 }
 
 /// One pass of all rays of a class through a structure.
@@ -68,6 +85,16 @@ pub struct Round {
     /// What the processor counted, where the system grants it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hardware: Option<HardwareCounters>,
+}
+
+impl Round {
+    /// The time that the round took of its own: wall time without what it waited for a processor
+    /// that other programs had. That is the processor time, unless several threads had a part in
+    /// it, whose times add up to more than the wall time.
+    #[must_use]
+    pub fn own_ns(&self) -> u64 {
+        self.cpu_ns.map_or(self.wall_ns, |cpu| cpu.min(self.wall_ns))
+    }
 }
 
 /// Events of a round that the processor counted; each is absent where it was not granted.

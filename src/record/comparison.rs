@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::baseline::Baseline;
 use super::{Run, SamplingChapter, SceneRecord, Sweep};
 
 /// The version of the record: raised when a field changes its meaning or goes away. New fields
@@ -24,6 +25,9 @@ pub struct Comparison {
     pub sweeps: Vec<Sweep>,
     /// What random numbers and shuffling cost and bring, if that was asked for.
     pub sampling: Option<SamplingChapter>,
+    /// What changed against an older record, if it was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub baseline: Option<Baseline>,
     /// What else a reader should know of this run, one sentence each.
     pub notes: Vec<String>,
 }
@@ -39,6 +43,7 @@ impl Comparison {
             scenes: Vec::new(),
             sweeps: Vec::new(),
             sampling: None,
+            baseline: None,
             notes: Vec::new(),
         }
     }

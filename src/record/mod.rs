@@ -22,7 +22,7 @@ pub mod statistics;
 mod structure;
 mod sweep;
 
-pub use class::{ClassRecord, HardwareCounters, RayClass, Round};
+pub use class::{ClassRecord, CommonRays, HardwareCounters, RayClass, Round};
 pub use comparison::{Comparison, SCHEMA_VERSION};
 pub use machine::Machine;
 pub use proof::{Proof, StructureProof, YardstickProof};

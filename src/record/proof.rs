@@ -7,6 +7,10 @@ use serde::{Deserialize, Serialize};
 pub struct Proof {
     /// The structure that the others had to agree with.
     pub reference: String,
+    /// A structure that agreed with the reference wherever that had time, and answered for it on
+    /// all other rays; absent where the reference had time for all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub witness: Option<String>,
     /// The structures that rendered, the reference included.
     pub structures: Vec<StructureProof>,
     /// The yardsticks, which are not held to equality.
@@ -48,7 +52,7 @@ pub struct StructureProof {
     pub differing_pixels: u64,
     /// The largest difference in a channel of a pixel, in linear units.
     pub largest_difference: f64,
-    /// Recorded rays whose answers were compared.
+    /// Recorded rays whose answers were compared, with the reference's or with the witness's.
     pub rays_checked: u64,
     /// How many of these answers differed: another distance, object, primitive or place on it.
     pub differing_hits: u64,

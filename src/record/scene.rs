@@ -15,8 +15,11 @@ pub struct SceneRecord {
     pub hash: String,
     /// Objects in the scene.
     pub objects: u64,
-    /// Triangles in its meshes, each mesh once.
+    /// Triangles in the scene, those of a mesh for each object that is made of it.
     pub triangles: u64,
+    /// Triangles that are stored, those of each mesh once; 0 in older records, which do not tell.
+    #[serde(default)]
+    pub stored_triangles: u64,
     /// Lights in the scene.
     pub lights: u64,
     /// The picture as the reference rendered it.

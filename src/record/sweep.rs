@@ -13,6 +13,10 @@ pub struct Sweep {
     pub points: Vec<SweepPoint>,
     /// The structures that left before the largest size.
     pub dropped: Vec<Dropped>,
+    /// Answers that were compared with those of another structure, bit for bit, over all sizes; 0
+    /// in older records, which compared none.
+    #[serde(default)]
+    pub rays_checked: u64,
 }
 
 /// One size, one structure, one class of rays.
@@ -43,4 +47,7 @@ pub struct Dropped {
     pub triangles: u64,
     /// Why, in words.
     pub reason: String,
+    /// Whether it failed or its answers differed, rather than took too long.
+    #[serde(default)]
+    pub failed: bool,
 }

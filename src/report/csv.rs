@@ -12,7 +12,7 @@ use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigur
 use crate::record::statistics::Estimate;
 use crate::record::{Comparison, Memory, SceneRecord, Status, StructureRecord};
 
-const HEADS: [&str; 35] = [
+const HEADS: [&str; 37] = [
     "scene",
     "triangles",
     "structure",
@@ -27,6 +27,7 @@ const HEADS: [&str; 35] = [
     "ns_per_ray_low",
     "ns_per_ray_high",
     "cpu_ns_per_ray",
+    "disturbance",
     "instructions_per_cycle",
     "branch_misses_per_ray",
     "cache_misses_per_ray",
@@ -37,6 +38,7 @@ const HEADS: [&str; 35] = [
     "speedup",
     "speedup_low",
     "speedup_high",
+    "speedup_rays",
     "build_one_thread_ns",
     "build_all_threads_ns",
     "index_bytes",
@@ -74,7 +76,7 @@ fn row(
     record: &StructureRecord,
     own: &StructureFigures,
     class: Option<&ClassFigures>,
-) -> [String; 35] {
+) -> [String; 37] {
     let ns = class.and_then(|class| class.ns_per_ray);
     let rate = parts(class.and_then(|class| class.million_rays_per_second));
     let speedup = parts(class.and_then(|class| class.speedup));
@@ -98,6 +100,7 @@ fn row(
         ns_low,
         ns_high,
         median(class.and_then(|class| class.cpu_ns_per_ray)),
+        number(class.and_then(|class| class.disturbance)),
         median(class.and_then(|class| class.instructions_per_cycle)),
         median(class.and_then(|class| class.branch_misses_per_ray)),
         median(class.and_then(|class| class.cache_misses_per_ray)),
@@ -108,6 +111,7 @@ fn row(
         speedup,
         speedup_low,
         speedup_high,
+        whole(class.and_then(|class| class.speedup_rays)),
         median(own.build_one_thread_ns),
         median(own.build_all_threads_ns),
         whole(record.memory.as_ref().map(|memory: &Memory| memory.index_bytes)),

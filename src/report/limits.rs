@@ -4,14 +4,21 @@ use crate::record::Comparison;
 use crate::record::derived::{ClassFigures, Derived};
 
 /// How times were taken and what that means, whatever was measured.
-const ALWAYS: [&str; 6] = [
+const ALWAYS: [&str; 7] = [
     "The times are those of this machine on this day. Ratios between structures carry over to other \
      machines better than times do, but not exactly.",
     "Rays were recorded once for each class and replayed to every structure in interleaved rounds, \
      so ratios leave out what slows all alike. A replay traces only: it neither shades nor makes \
      new rays, and its caches are warm.",
-    "Intervals are 95 % bootstrap intervals of the median. They show the noise of this run, not \
-     what another build, memory layout or machine would change.",
+    "Intervals are exact 95 % intervals of the median by order statistics; where two runs are set \
+     against each other, bootstrap intervals. They show the noise of this run, not what another \
+     build, memory layout or machine would change. They take rounds as independent, which rounds \
+     one after the other are not quite, and rounds stop once intervals are narrow, which makes \
+     these a little too narrow.",
+    "Times of rays are wall times without what was spent waiting for a processor that other \
+     programs had, by the clock of the processor: all rounds count, and none is thrown away. What \
+     other programs do to caches, memory and clock rate is in them nevertheless. Times of builds \
+     and pictures are wall times.",
     "Every structure here answers equal hits bit for bit, by one formula and one rule for ties. \
      That costs each of them some speed, and not each the same.",
     "Break-even points hold for rays like the picture's mean ray; a scene with other views or \
@@ -76,7 +83,15 @@ fn round_limits(comparison: &Comparison, derived: &Derived) -> Vec<String> {
     let width = |class: &&&ClassFigures| class.ns_per_ray.and_then(|e| e.relative_half_width());
     let without = classes.iter().filter(|class| width(class).is_none()).count();
     let wide = classes.iter().filter(|class| width(class).is_some_and(|w| w > goal)).count();
+    let disturbed = classes.iter().filter(|class| class.is_disturbed()).count();
     let mut limits = Vec::new();
+    if disturbed > 0 {
+        limits.push(format!(
+            "In {disturbed} of {} measurements of rays other programs had the processor for more \
+             than a tenth of the time (†).",
+            classes.len()
+        ));
+    }
     if without > 0 {
         limits.push(format!(
             "{without} of {} measurements of rays have too few rounds for an interval.",

@@ -18,6 +18,9 @@ pub fn write(comparison: &Comparison) -> String {
     if comparison.run.partial {
         text += "\n**Partial: the comparison was stopped before its plan was done.**\n";
     }
+    add_table(&tables::overall_table(comparison, &derived), &mut text);
+    add_baseline(comparison, &mut text);
+    add_table(&tables::proof_matrix(comparison), &mut text);
     for (scene, figures) in comparison.scenes.iter().zip(&derived.scenes) {
         add_scene(scene, figures, comparison.run.options.threads, &mut text);
     }
@@ -42,6 +45,18 @@ pub fn write(comparison: &Comparison) -> String {
         let _ = writeln!(text, "* {}", escaped(&limit));
     }
     text
+}
+
+fn add_baseline(comparison: &Comparison, text: &mut String) {
+    let Some(baseline) = &comparison.baseline else { return };
+    let table = tables::baseline_table(baseline);
+    for warning in &baseline.outcome.warnings {
+        let _ = write!(text, "\n**Warning: {}**\n", escaped(warning));
+    }
+    if table.rows.is_empty() {
+        let _ = write!(text, "\n### {}\n\n{}\n", table.title, escaped(&table.note));
+    }
+    add_table(&table, text);
 }
 
 fn add_scene(scene: &SceneRecord, figures: &SceneFigures, threads: u32, text: &mut String) {
@@ -92,7 +107,7 @@ fn add_table(table: &Table, text: &mut String) {
     if !table.note.is_empty() {
         let _ = write!(text, "{}\n\n", escaped(&table.note));
     }
-    let heads: Vec<&str> = table.columns.iter().map(|column| column.head).collect();
+    let heads: Vec<String> = table.columns.iter().map(|column| escaped(&column.head)).collect();
     let rules: Vec<&str> =
         table.columns.iter().map(|column| if column.numeric { "--:" } else { "---" }).collect();
     let _ = writeln!(text, "| {} |\n|{}|", heads.join(" | "), rules.join("|"));

@@ -35,6 +35,8 @@ pub fn write(comparison: &Comparison) -> String {
 /// What changed against a baseline: each change with its interval, then the doubts.
 #[must_use]
 pub fn write_changes(changes: &Changes, threshold: f64) -> String {
+    let warnings: String =
+        changes.warnings.iter().map(|warning| format!("WARNING: {warning}\n")).collect();
     let mut text = String::new();
     for (word, list) in [
         ("slower", changes.regressions(threshold).collect::<Vec<_>>()),
@@ -62,7 +64,7 @@ pub fn write_changes(changes: &Changes, threshold: f64) -> String {
     for doubt in &changes.doubts {
         let _ = writeln!(text, "note: {doubt}");
     }
-    text
+    warnings + &text
 }
 
 fn scene_rows(scene: &SceneRecord, figures: &SceneFigures) -> Vec<Vec<String>> {
@@ -98,13 +100,16 @@ fn speedup(own: &StructureFigures, class: RayClass) -> Option<String> {
 fn remark(scene: &SceneRecord, structure: &str, status: &Status) -> String {
     let proof = scene.proof.as_ref();
     let yardstick = proof.and_then(|proof| proof.yardstick(structure));
+    let alone = proof.is_some_and(|proof| proof.structures.len() + proof.yardsticks.len() == 1);
     let proof = proof.and_then(|proof| proof.structure(structure));
     match (status, proof) {
         (Status::Failed { message }, _) => format!("failed: {message}"),
         (Status::TooSlow { .. }, _) => "too slow".to_owned(),
         (_, Some(entry)) if !entry.holds() => "DIFFERS".to_owned(),
         (Status::Stopped, _) => "stopped".to_owned(),
+        (Status::Ok, Some(_)) if alone => "reference".to_owned(),
         (Status::Ok, Some(entry)) if entry.picture_equal == Some(true) => "equal".to_owned(),
+        (Status::Ok, Some(entry)) if entry.rays_checked > 0 => "hits equal".to_owned(),
         (Status::Ok, _) => yardstick.map_or_else(|| NOTHING.to_owned(), tables::agreement),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::numbers;
 use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures, SweepFigures};
-use crate::record::{Comparison, Proof, RayClass, SceneRecord};
+use crate::record::{Comparison, Proof, RayClass, SceneRecord, Status, StructureRecord};
 
 /// Scenes that are named as not proved; more are counted.
 const NAMED_SCENES: usize = 3;
@@ -18,9 +18,18 @@ pub fn verdict(comparison: &Comparison) -> String {
 }
 
 pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
+    match headline(comparison, derived) {
+        (claim, Some(rest)) => format!("{claim}; {rest}"),
+        (claim, None) => claim,
+    }
+}
+
+/// The verdict's claim, and what else it says: that the speed is one of equal work, or of how much
+/// that was not shown.
+pub(super) fn headline(comparison: &Comparison, derived: &Derived) -> (String, Option<String>) {
     let partial = if comparison.run.partial { "Stopped early: " } else { "" };
     if let Some(difference) = difference(comparison) {
-        return format!("{partial}{difference}");
+        return (format!("{partial}{difference}"), None);
     }
     let alone = comparison.scenes.is_empty();
     let growth = || derived.sweeps.iter().filter(|_| alone).find_map(growth);
@@ -34,7 +43,30 @@ pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
             "nothing was traced".to_owned()
         }
     });
-    format!("{partial}{speed}; {}.", equality(&comparison.scenes))
+    let equality = equality(&comparison.scenes);
+    match failures(&comparison.scenes) {
+        Some(failed) => (format!("{partial}{failed}"), Some(format!("{speed}; {equality}."))),
+        None => (format!("{partial}{speed}"), Some(format!("{equality}."))),
+    }
+}
+
+/// The structures that failed, each once, with why the first time. A yardstick that does not know
+/// a scene's shapes was not asked for more.
+fn failures(scenes: &[SceneRecord]) -> Option<String> {
+    let mut failures: Vec<(&str, &str, &str)> = Vec::new();
+    for scene in scenes {
+        for row in scene.structures.iter().filter(|row| !row.yardstick) {
+            let Status::Failed { message } = &row.status else { continue };
+            if failures.iter().all(|(name, ..)| *name != row.name) {
+                failures.push((&row.name, &scene.name, message));
+            }
+        }
+    }
+    let text = |(name, scene, message): &(&str, &str, &str)| {
+        format!("{name} FAILED in {scene}: {message}")
+    };
+    let texts: Vec<String> = failures.iter().map(text).collect();
+    (!texts.is_empty()).then(|| texts.join("; "))
 }
 
 /// The fastest structure of a scene against its base; yardsticks are not in the running.
@@ -51,12 +83,11 @@ fn speed(scene: &SceneFigures, record: &SceneRecord) -> Option<String> {
         });
     }
     let speedup = figures.speedup?;
-    let sure = numbers::spread(speedup).map_or_else(
-        || "too few rounds for an interval".to_owned(),
-        |spread| format!("95\u{a0}%\u{a0}{spread}"),
-    );
+    let Some(spread) = numbers::spread(speedup) else {
+        return Some(format!("too few rounds were made in {scene} to say which is how fast"));
+    };
     Some(format!(
-        "{} traces {} rays of {scene} {}\u{a0}× ({sure}) as fast as {base}",
+        "{} traces {} rays of {scene} {}\u{a0}× (95\u{a0}%\u{a0}{spread}) as fast as {base}",
         fastest.structure,
         class.name(),
         numbers::median(speedup),
@@ -156,12 +187,13 @@ fn unproved(scene: &SceneRecord) -> Option<String> {
         return Some(format!("{} (nothing to compare it with)", scene.name));
     }
     let (mut without, mut smaller) = (Vec::new(), Vec::new());
-    for structure in &scene.structures {
+    let failed = |row: &&StructureRecord| matches!(row.status, Status::Failed { .. });
+    for structure in scene.structures.iter().filter(|row| !failed(row)) {
         let entry = scene.proof.as_ref().and_then(|proof| proof.structure(&structure.name));
         match entry.map(|entry| (entry.picture_equal, entry.picture_hash.is_some())) {
             Some((Some(true), true)) => {}
-            Some((Some(true), false)) => smaller.push(format!("`{}`", structure.name)),
-            _ => without.push(format!("`{}`", structure.name)),
+            Some((Some(true), false)) => smaller.push(structure.name.as_str()),
+            _ => without.push(structure.name.as_str()),
         }
     }
     let reasons: Vec<String> = [("no picture", without), ("a smaller one", smaller)]

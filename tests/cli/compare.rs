@@ -129,8 +129,43 @@ fn what_cannot_be_done_is_refused_before_the_work() {
     refused(&["compare", "scene.sce", "--fail-above", "9%"], &["--baseline"]);
     refused(&["compare", "missing.sce", "--out", "."], &["missing.sce"]);
     refused(&["compare", "scene.sce", "--baseline", "old.json"], &["old.json"]);
-    refused(&["compare", "scene.sce", "--out", "scene.sce"], &["scene.sce"]);
+    refused(&["compare", "scene.sce", "--out", "scene.sce"], &["scene.sce", "is a file"]);
     refused(&["report", "scene.sce"], &["not", "scene.sce"]);
+}
+
+#[test]
+fn a_baseline_without_anything_in_common_is_trouble() {
+    let folder = folder();
+    let run = compare(folder.path(), &["--out", "a"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let path = folder.path().join("a/report.json");
+    let mut old = json(&path);
+    old["run"]["machine"]["cpu"] = "another".into();
+    old["scenes"][0]["name"] = "other".into();
+    fs::write(folder.path().join("old.json"), old.to_string()).unwrap();
+    let run = compare(folder.path(), &["--out", "b", "--baseline", "old.json"]);
+    assert_eq!(run.code, 2, "{}", run.stderr);
+    assert!(run.stderr.contains("has nothing in common"), "{}", run.stderr);
+    assert!(run.stdout.contains("WARNING: The processor was another"), "{}", run.stdout);
+    let record = json(&folder.path().join("b/report.json"));
+    assert_eq!(record["baseline"]["outcome"]["changes"].as_array().map(Vec::len), Some(0));
+}
+
+#[test]
+fn pictures_of_an_older_report_do_not_stay_in_its_folder() {
+    let folder = folder();
+    assert_eq!(compare(folder.path(), &["--out", "out"]).code, 0);
+    let out = folder.path().join("out");
+    fs::write(out.join("mine.png"), "not of the report").unwrap();
+    let run = run_in(
+        folder.path(),
+        &["compare", "scene.sce", "--accel", "bvh", "--budget", "2", "--out", "out"],
+    );
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stderr.contains("too little for intervals; --budget 5"), "{}", run.stderr);
+    assert!(run.stdout.contains("reference"), "{}", run.stdout);
+    let pictures: Vec<_> = names(&out).into_iter().filter(|name| name.ends_with(".png")).collect();
+    assert_eq!(pictures, ["mine.png", "scene-heatmap-bvh.png", "scene.png"]);
 }
 
 #[cfg(unix)]

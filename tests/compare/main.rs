@@ -5,14 +5,17 @@
 mod broken;
 mod same_rays;
 mod sampling;
+mod slow;
 
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use broken::{Panicking, Shrunken};
+use slow::Forgetful;
 use srt::accel::{Accel, Bounded, BuildConfig, Built, Bvh, StructureShape};
-use srt::compare::{Observer, Outcome, Plan, SceneInput, Silent, run};
+use srt::assets::generate::Kind;
+use srt::compare::{Observer, Outcome, Plan, SceneInput, Silent, SweepPlan, run};
 use srt::counters::Counters;
 use srt::math::{BoxRay, Ray};
 use srt::record::{RayClass, RoundRule, Status};
@@ -115,6 +118,24 @@ fn a_structure_that_prunes_too_much_is_caught_with_a_ray() {
     assert!(matches!(&row.status, Status::Failed { message } if message.contains(ray)));
     assert!(row.classes.is_empty(), "wrong answers are not timed");
     assert!(!scene.structure("bvh").unwrap().classes.is_empty(), "the others go on");
+}
+
+#[test]
+fn a_sweep_compares_hits_and_drops_who_differs() {
+    let broken = Structure::new::<Bvh, Forgetful>("lossy", "loses half of the triangles");
+    let plan = Plan {
+        sweep: Some(SweepPlan { mesh: Kind::Icosphere, sizes: vec![80, 320] }),
+        scenes: vec![],
+        budget: Some(Duration::from_secs(6)),
+        ..plan()
+    };
+    let outcome = run(&plan, &[named("none"), broken, named("bvh")], &Silent).unwrap();
+    let sweep = &outcome.comparison.sweeps[0];
+    assert!(!outcome.holds() && sweep.rays_checked > 100, "{}", sweep.rays_checked);
+    let [dropped] = &sweep.dropped[..] else { panic!("{:?}", sweep.dropped) };
+    assert_eq!((dropped.structure.as_str(), dropped.failed), ("lossy", true));
+    assert!(dropped.reason.contains("its answers differ: "), "{}", dropped.reason);
+    assert!(sweep.points.iter().all(|point| point.structure != "lossy"));
 }
 
 #[test]

@@ -11,6 +11,7 @@ fn slower(factor: f64) -> Comparison {
     let mut comparison = sample::full();
     for round in &mut comparison.scenes[0].structures[2].classes[0].rounds {
         round.wall_ns = (round.wall_ns as f64 * factor) as u64;
+        round.cpu_ns = round.cpu_ns.map(|cpu| (cpu as f64 * factor) as u64);
     }
     comparison
 }
@@ -64,7 +65,7 @@ fn what_cannot_be_compared_is_a_doubt() {
     let mut old = sample::full();
     old.scenes[1].structures[1].classes.remove(0);
     let changes = Changes::between(&old, &new);
-    let doubts = changes.doubts.join("\n");
+    let doubts = [changes.warnings.join("\n"), changes.doubts.join("\n")].join("\n");
     for doubt in [
         "The processor was Example CPU <16 & more> @ 2.60GHz and is another.",
         "The scene bunny has changed and is not compared.",
@@ -75,6 +76,8 @@ fn what_cannot_be_compared_is_a_doubt() {
         assert!(doubts.contains(doubt), "{doubt} is not among\n{doubts}");
     }
     assert!(changes.changes.iter().all(|change| change.scene == "hall"));
+    let text = terminal::write_changes(&changes, 0.1);
+    assert!(text.starts_with("WARNING: The processor was Example CPU"), "{text}");
     old.scenes.clear();
     assert_eq!(Changes::between(&old, &new).changes, []);
 }

@@ -1,7 +1,8 @@
 //! The verdict, the terminal's table, and what Markdown says beside its tables.
 
-use srt::record::Status;
-use srt::report::{markdown, terminal, verdict};
+use srt::record::derived::{Derived, OverallFigures};
+use srt::record::{RayClass, Status};
+use srt::report::{html, markdown, terminal, verdict};
 
 use crate::sample;
 
@@ -11,7 +12,7 @@ fn the_verdict_is_one_plain_sentence() {
         verdict(&sample::full()),
         "bvh traces view rays of bunny 431\u{a0}× (95\u{a0}%\u{a0}428–433) as fast as none; \
          1 of 2 pictures proved equal bit for bit, 1 not compared whole: hall (no picture from \
-         `none`)."
+         none)."
     );
     assert_eq!(
         verdict(&sample::partial()),
@@ -30,8 +31,21 @@ fn the_verdict_of_few_rounds_claims_no_interval() {
         structure.classes[0].rounds.truncate(2);
     }
     let text = verdict(&comparison);
-    assert!(text.contains("(too few rounds for an interval) as fast as none"), "{text}");
+    assert!(text.starts_with("too few rounds were made in bunny to say which is"), "{text}");
     assert!(text.ends_with("; no pictures were compared."), "{text}");
+}
+
+#[test]
+fn the_verdict_names_what_failed_first() {
+    let mut comparison = sample::full();
+    comparison.scenes.truncate(1);
+    let row = &mut comparison.scenes[0].structures[1];
+    row.status = Status::Failed { message: "it panicked: no leaf".to_owned() };
+    row.classes.clear();
+    comparison.scenes[0].proof.as_mut().unwrap().structures.remove(1);
+    let text = verdict(&comparison);
+    assert!(text.starts_with("ball FAILED in bunny: it panicked: no leaf; bvh traces"), "{text}");
+    assert!(text.ends_with("; pictures equal bit for bit."), "{text}");
 }
 
 #[test]
@@ -55,11 +69,44 @@ fn the_verdict_says_of_how_many_pictures_it_is_true() {
     comparison.scenes[0].proof.as_mut().unwrap().structures[1].picture_hash = None;
     let text = verdict(&comparison);
     let end = "; 0 of 1 pictures proved equal bit for bit, 1 not compared whole: bunny (a smaller \
-               one from `ball`).";
+               one from ball).";
     assert!(text.ends_with(end), "{text}");
     let smaller = comparison.scenes[0].clone();
     comparison.scenes.extend([smaller.clone(), smaller.clone(), smaller]);
-    assert!(verdict(&comparison).ends_with("(a smaller one from `ball`) and 1 more."));
+    assert!(verdict(&comparison).ends_with("(a smaller one from ball) and 1 more."));
+}
+
+#[test]
+fn the_mean_over_scenes_is_geometric_and_says_of_how_many() {
+    let mut comparison = sample::full();
+    comparison.base = "bvh".to_owned();
+    let derived = Derived::of(&comparison);
+    let ratio = |scene: usize| {
+        let own = derived.scenes[scene].structure("cwbvh").unwrap();
+        own.class(RayClass::View).unwrap().speedup.unwrap().median
+    };
+    let is_own = |own: &&OverallFigures| own.structure == "cwbvh" && own.class == RayClass::View;
+    let mean = derived.overall.iter().find(is_own).unwrap();
+    assert_eq!(mean.scenes, 2);
+    assert!((mean.speedup - (ratio(0) * ratio(1)).sqrt()).abs() < 1e-12);
+    let none = derived.overall.iter().find(|own| own.structure == "none").unwrap();
+    assert_eq!(none.scenes, 1, "it was too slow for the other");
+    let text = markdown::write(&comparison);
+    assert!(text.contains("### All scenes together") && text.contains("(2 scenes)"), "{text}");
+    assert!(text.contains("### What was proved"));
+    comparison.scenes.truncate(1);
+    assert!(!markdown::write(&comparison).contains("All scenes together"));
+}
+
+#[test]
+fn a_baseline_is_told_in_every_form() {
+    let comparison = sample::full();
+    let page = html::write(&comparison, &html::Pictures::new());
+    for text in [page, markdown::write(&comparison)] {
+        assert!(text.contains("Against the baseline") && text.contains("SLOWER"), "{text}");
+        assert!(text.contains("The rays are others."), "{text}");
+        assert!(text.contains("1 of 2 measurements changed by more than 10.0"), "{text}");
+    }
 }
 
 #[test]

@@ -66,7 +66,7 @@ pub(super) fn sampling_study(
             break;
         }
         progress.step(&format!("{}: sampling", input.name), budget);
-        let stage = Stage { scene: &input.scene, plan, pools, cancelled: &cancelled };
+        let stage = Stage { scene: &input.scene, plan, pools, base: "", cancelled: &cancelled };
         let share = budget.share(1.0 / (lit.len() - done) as f64);
         study_scene(&input.name, &stage, share, &mut study.chapter);
     }

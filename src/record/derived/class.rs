@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::record::statistics::{Estimate, estimate, million_per_second, paired_ratio};
-use crate::record::{ClassRecord, HardwareCounters, RayClass, Round};
+use crate::record::statistics::{Estimate, estimate, median, million_per_second, paired_ratio};
+use crate::record::{ClassRecord, CommonRays, HardwareCounters, RayClass, Round};
 
 /// What a class of rays took with a structure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -18,10 +18,14 @@ pub struct ClassFigures {
     pub boxes_per_ray: Option<f64>,
     /// Primitive tests a ray.
     pub primitives_per_ray: Option<f64>,
-    /// Wall time of a ray in nanoseconds.
+    /// Time of a ray in nanoseconds: wall time without what was spent waiting for a processor that
+    /// other programs had ([`Round::own_ns`]).
     pub ns_per_ray: Option<Estimate>,
     /// Processor time of a ray in nanoseconds, all threads together.
     pub cpu_ns_per_ray: Option<Estimate>,
+    /// The median over the rounds of wall time over the rounds' own time: 1 where no other program
+    /// had the processor meanwhile.
+    pub disturbance: Option<f64>,
     /// Instructions in a clock cycle, where the processor counted both.
     pub instructions_per_cycle: Option<Estimate>,
     /// Wrongly predicted branches a ray, where the processor counted them.
@@ -32,12 +36,28 @@ pub struct ClassFigures {
     pub million_rays_per_second: Option<Estimate>,
     /// How many times as fast as the scene's base, ray for ray.
     pub speedup: Option<Estimate>,
+    /// On how many rays that is so; absent where it is the ratio of times of different rays, in
+    /// older records.
+    pub speedup_rays: Option<u64>,
+}
+
+impl ClassFigures {
+    /// A disturbance above which times are marked: other programs took a tenth or more, and what
+    /// they left in the caches, no clock leaves out.
+    pub const DISTURBED: f64 = 1.1;
+
+    /// Whether other programs had the processor for a good part of the time.
+    #[must_use]
+    pub fn is_disturbed(&self) -> bool {
+        self.disturbance.is_some_and(|disturbance| disturbance > Self::DISTURBED)
+    }
 }
 
 /// The figures of a class, with the same class of the base beside it.
 pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> ClassFigures {
     let per_ray = |n: u64| quotient(n as f64, own.rays as f64);
-    let ns_per_ray = estimate(&wall_ns_per_ray(&own.rounds, own.rays));
+    let ns_per_ray = estimate(&own_ns_per_ray(&own.rounds, own.rays));
+    let (speedup, speedup_rays) = base.map_or((None, None), |base| speedup(base, own));
     ClassFigures {
         class: own.class,
         rays: own.rays,
@@ -46,22 +66,34 @@ pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> Cl
         primitives_per_ray: own.primitives.and_then(per_ray),
         ns_per_ray,
         cpu_ns_per_ray: cpu_ns_per_ray(own),
+        disturbance: disturbance(&own.rounds),
         instructions_per_cycle: counted(own, |counts| {
             quotient(counts.instructions? as f64, counts.cycles? as f64)
         }),
         branch_misses_per_ray: counted(own, |counts| per_ray(counts.branch_misses?)),
         cache_misses_per_ray: counted(own, |counts| per_ray(counts.cache_misses?)),
         million_rays_per_second: ns_per_ray.and_then(rate),
-        speedup: base.and_then(|base| speedup(base, own)),
+        speedup,
+        speedup_rays,
     }
 }
 
-/// Wall time of a ray in nanoseconds, for each round; empty if a round has no rays.
-pub(in crate::record) fn wall_ns_per_ray(rounds: &[Round], rays: u64) -> Vec<f64> {
+/// The own time of a ray in nanoseconds, for each round; empty if a round has no rays.
+pub(in crate::record) fn own_ns_per_ray(rounds: &[Round], rays: u64) -> Vec<f64> {
     if rays == 0 {
         return Vec::new();
     }
-    rounds.iter().map(|round| round.wall_ns as f64 / rays as f64).collect()
+    rounds.iter().map(|round| round.own_ns() as f64 / rays as f64).collect()
+}
+
+/// How much longer rounds took on the wall than of their own, in the median.
+fn disturbance(rounds: &[Round]) -> Option<f64> {
+    let of_round = |round: &Round| {
+        round.cpu_ns?;
+        quotient(round.wall_ns as f64, round.own_ns() as f64)
+    };
+    let rounds: Option<Vec<f64>> = rounds.iter().map(of_round).collect();
+    median(&rounds?)
 }
 
 /// Millions of rays a second at a time for each ray.
@@ -70,9 +102,18 @@ fn rate(ns_per_ray: Estimate) -> Option<Estimate> {
     Some(ns_per_ray.map(|ns| million_per_second(1, ns).unwrap_or(f64::MAX)))
 }
 
-fn speedup(base: &ClassRecord, own: &ClassRecord) -> Option<Estimate> {
-    let base = wall_ns_per_ray(&base.rounds, base.rays);
-    paired_ratio(&base, &wall_ns_per_ray(&own.rounds, own.rays))
+/// The ratio to the base and on how many rays it was taken: on those that both traced.
+fn speedup(base: &ClassRecord, own: &ClassRecord) -> (Option<Estimate>, Option<u64>) {
+    let ratio = |base: &[Round], own: &[Round], base_rays, own_rays| {
+        paired_ratio(&own_ns_per_ray(base, base_rays), &own_ns_per_ray(own, own_rays))
+    };
+    match &own.common {
+        Some(CommonRays { rays, own, base }) => (ratio(base, own, *rays, *rays), Some(*rays)),
+        None => {
+            let same = (base.rays == own.rays).then_some(own.rays);
+            (ratio(&base.rounds, &own.rounds, base.rays, own.rays), same)
+        }
+    }
 }
 
 /// The estimate of the processor's time, if every round has one.
@@ -108,8 +149,43 @@ mod tests {
             hits: rays / 4,
             boxes: Some(rays * 3),
             primitives: None,
-            rounds: wall_ns.iter().map(|&wall_ns| Round { wall_ns, ..Round::default() }).collect(),
+            rounds: rounds(wall_ns),
+            common: None,
         }
+    }
+
+    fn rounds(wall_ns: &[u64]) -> Vec<Round> {
+        wall_ns.iter().map(|&wall_ns| Round { wall_ns, ..Round::default() }).collect()
+    }
+
+    #[test]
+    fn what_other_programs_took_is_left_out_and_told() {
+        let busy = |wall_ns, cpu_ns| {
+            let mut class = class(100, &[wall_ns; 6]);
+            class.rounds.iter_mut().for_each(|round| round.cpu_ns = Some(cpu_ns));
+            class
+        };
+        let (base, own) = (busy(10_000, 9_900), busy(60_000, 9_900));
+        let figures = class_figures(&own, Some(&base));
+        assert_eq!(figures.speedup.unwrap().median, 1.0, "equal work took equal time");
+        assert_eq!(figures.ns_per_ray.unwrap().median, 99.0);
+        assert!(figures.is_disturbed() && !class_figures(&base, None).is_disturbed());
+        // Two threads that worked on a round had more processor time than there was.
+        let parallel = class_figures(&busy(10_000, 19_000), None);
+        assert_eq!(parallel.ns_per_ray.unwrap().median, 100.0);
+        assert_eq!(parallel.disturbance, Some(1.0));
+    }
+
+    #[test]
+    fn ratios_are_those_of_rays_that_both_traced() {
+        let base = class(100, &[40_000; 6]);
+        let mut own = class(1_000, &[100_000; 6]);
+        assert_eq!(class_figures(&own, Some(&base)).speedup_rays, None, "of different rays");
+        let common = CommonRays { rays: 100, own: rounds(&[20_000; 6]), base: base.rounds.clone() };
+        own.common = Some(common);
+        let figures = class_figures(&own, Some(&base));
+        assert_eq!((figures.speedup.unwrap().median, figures.speedup_rays), (2.0, Some(100)));
+        assert_eq!(figures.ns_per_ray.unwrap().median, 100.0, "all rays count for the time");
     }
 
     #[test]

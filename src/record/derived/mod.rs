@@ -6,6 +6,7 @@
 mod class;
 mod noise;
 mod operation;
+mod overall;
 mod scene;
 mod share;
 mod sweep;
@@ -15,9 +16,10 @@ use serde::Serialize;
 use super::Comparison;
 
 pub use class::ClassFigures;
-pub(super) use class::wall_ns_per_ray;
+pub(super) use class::own_ns_per_ray;
 pub use noise::{NoiseFigures, Pairing};
 pub use operation::OperationFigures;
+pub use overall::OverallFigures;
 pub use scene::{SceneFigures, StructureFigures};
 pub use share::ShareFigures;
 pub use sweep::{SweepCurve, SweepFigures, SweepValue};
@@ -27,6 +29,8 @@ pub use sweep::{SweepCurve, SweepFigures, SweepValue};
 pub struct Derived {
     /// One for each scene, in the record's order.
     pub scenes: Vec<SceneFigures>,
+    /// Each structure and class over all scenes.
+    pub overall: Vec<OverallFigures>,
     /// One for each sweep, in the record's order.
     pub sweeps: Vec<SweepFigures>,
     /// One for each operation of the chapter on sampling, in the record's order.
@@ -45,8 +49,10 @@ impl Derived {
         let chapter = comparison.sampling.as_ref();
         let operations = chapter.iter().flat_map(|chapter| &chapter.costs);
         let operations: Vec<_> = operations.map(OperationFigures::of).collect();
+        let scenes: Vec<SceneFigures> = comparison.scenes.iter().map(scene).collect();
         Self {
-            scenes: comparison.scenes.iter().map(scene).collect(),
+            overall: overall::overall(&scenes, &comparison.base),
+            scenes,
             sweeps: comparison.sweeps.iter().map(SweepFigures::of).collect(),
             shares: chapter.map(|c| share::shares(c, &operations)).unwrap_or_default(),
             noise: chapter.map(|c| noise::noise(&c.noise)).unwrap_or_default(),

@@ -33,7 +33,7 @@ pub struct StructureFigures {
     pub build_one_thread_ns: Option<Estimate>,
     /// Wall time of the build on all threads, in nanoseconds.
     pub build_all_threads_ns: Option<Estimate>,
-    /// Bytes of the index for each triangle of the scene.
+    /// Bytes of the index for each triangle that is stored.
     pub bytes_per_triangle: Option<f64>,
     /// References from leaves to primitives, for each primitive.
     pub references_per_primitive: Option<f64>,
@@ -45,10 +45,11 @@ pub struct StructureFigures {
     pub picture_render_ns: Option<Estimate>,
     /// How many times as fast as the base is with build and rendering.
     pub picture_speedup: Option<Estimate>,
-    /// Wall time of the mean ray of the picture, in nanoseconds: medians of the classes view,
+    /// Time of the mean ray of the picture, in nanoseconds: medians of the classes view,
     /// shadow, mirror and refraction, weighed by their rays.
     pub mean_ray_ns: Option<f64>,
-    /// From how many of these rays on it is ahead of the base, builds on all threads included.
+    /// From how many of these rays on it is ahead of the base, builds on all threads included;
+    /// absent where there were too few rounds for an interval of all of these times.
     pub break_even: Option<BreakEven>,
     /// Whether no other structure has both a cheaper build and a cheaper mean ray.
     pub on_pareto_front: bool,
@@ -63,7 +64,7 @@ impl SceneFigures {
         let mut structures: Vec<_> = scene
             .structures
             .iter()
-            .map(|structure| StructureFigures::of(structure, base, scene.triangles))
+            .map(|structure| StructureFigures::of(structure, base, stored(scene)))
             .collect();
         compare_costs(&mut structures, base);
         let base = base.map(|base| base.name.clone());
@@ -118,12 +119,26 @@ impl StructureFigures {
         self.classes.iter().find(|figures| figures.class == class)
     }
 
+    /// Whether its build and its rays were measured often enough for an interval.
+    fn is_sure(&self) -> bool {
+        let build = self.build_all_threads_ns.or(self.build_one_thread_ns);
+        let has_interval = |estimate: &Estimate| estimate.interval.is_some();
+        let of_picture = self.classes.iter().filter(|c| PICTURE_CLASSES.contains(&c.class));
+        build.as_ref().is_some_and(has_interval)
+            && of_picture.map(|c| c.ns_per_ray).all(|e| e.as_ref().is_some_and(has_interval))
+    }
+
     /// Build and mean ray, if both are known.
     #[must_use]
     pub fn cost(&self) -> Option<Cost> {
         let build_ns = self.build_all_threads_ns.or(self.build_one_thread_ns)?.median;
         Some(Cost { build_ns, ray_ns: self.mean_ray_ns? })
     }
+}
+
+/// The triangles that structures index: each mesh has one index, however many objects it makes.
+fn stored(scene: &SceneRecord) -> u64 {
+    if scene.stored_triangles > 0 { scene.stored_triangles } else { scene.triangles }
 }
 
 /// The structure of the name, or the first one, that traced any rays.
@@ -149,8 +164,10 @@ fn compare_costs(structures: &mut [StructureFigures], base: Option<&StructureRec
     else {
         return;
     };
+    let sure_base = structures[base].is_sure();
     for (i, structure) in structures.iter_mut().enumerate().filter(|&(i, _)| i != base) {
-        structure.break_even = costs[i].zip(costs[base]).map(|(own, base)| break_even(own, base));
+        let costs = costs[i].zip(costs[base]).filter(|_| sure_base && structure.is_sure());
+        structure.break_even = costs.map(|(own, base)| break_even(own, base));
     }
 }
 

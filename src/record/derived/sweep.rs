@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::class::wall_ns_per_ray;
+use super::class::own_ns_per_ray;
 use crate::record::statistics::{Estimate, PowerLaw, estimate, log_log_fit};
 use crate::record::{RayClass, Sweep, SweepPoint};
 
@@ -33,7 +33,7 @@ pub struct SweepCurve {
 pub struct SweepValue {
     /// Triangles in the mesh.
     pub triangles: u64,
-    /// Wall time of a ray in nanoseconds.
+    /// Time of a ray in nanoseconds, without what was spent waiting for the processor.
     pub ns_per_ray: Estimate,
 }
 
@@ -77,7 +77,7 @@ impl SweepFigures {
 }
 
 fn value(point: &SweepPoint) -> Option<SweepValue> {
-    let ns_per_ray = estimate(&wall_ns_per_ray(&point.rounds, point.rays))?;
+    let ns_per_ray = estimate(&own_ns_per_ray(&point.rounds, point.rays))?;
     Some(SweepValue { triangles: point.triangles, ns_per_ray })
 }
 

@@ -16,9 +16,9 @@ const SEED: u64 = 0x0062_6f6f_7473_7472;
 /// A 95 % interval.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Interval {
-    /// The 2.5 % quantile.
+    /// What is below with at most 2.5 %.
     pub low: f64,
-    /// The 97.5 % quantile.
+    /// What is above with at most 2.5 %.
     pub high: f64,
 }
 
@@ -27,8 +27,7 @@ pub struct Interval {
 pub struct Estimate {
     /// The median.
     pub median: f64,
-    /// The 95 % interval of the median by the percentile bootstrap; absent for fewer than
-    /// [`INTERVAL_ROUNDS`] values.
+    /// The 95 % interval of the median; absent for fewer than [`INTERVAL_ROUNDS`] values.
     pub interval: Option<Interval>,
     /// How many values there were.
     pub rounds: usize,
@@ -65,16 +64,35 @@ pub fn median(values: &[f64]) -> Option<f64> {
 #[must_use]
 pub fn estimate(values: &[f64]) -> Option<Estimate> {
     let median = median(values)?;
-    let interval = (values.len() >= INTERVAL_ROUNDS).then(|| {
-        let mut random = random(&[values.len()]);
-        let mut resample = Vec::with_capacity(values.len());
-        let medians = (0..RESAMPLES).filter_map(|_| {
-            draw(values, &mut random, &mut resample);
-            median_of(&mut resample)
-        });
-        quantiles(medians.collect())
-    });
-    Some(Estimate { median, interval, rounds: values.len() })
+    Some(Estimate { median, interval: order_interval(values), rounds: values.len() })
+}
+
+/// The exact interval of the median of whatever values of one distribution: from the k-th smallest
+/// to the k-th largest (H. A. David, H. N. Nagaraja: *Order Statistics*, 3rd edition, section 7.1).
+/// The median lies below the k-th smallest with the probability that fewer than k of n fair coins
+/// show heads; k is the largest with at most 2.5 %.
+fn order_interval(values: &[f64]) -> Option<Interval> {
+    let n = values.len();
+    let k = outermost(n)?;
+    let mut sorted = values.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    Some(Interval { low: sorted[k - 1], high: sorted[n - k] })
+}
+
+/// The largest k of [`order_interval`]; `None` if there is none.
+fn outermost(n: usize) -> Option<usize> {
+    // Logarithms: 2⁻ⁿ leaves the numbers for more than a thousand values.
+    let (mut ln_term, mut below) = (-(n as f64) * std::f64::consts::LN_2, 0.0);
+    let mut k = 0;
+    while k < n {
+        below += ln_term.exp();
+        if below > 0.025 {
+            break;
+        }
+        k += 1;
+        ln_term += ((n - k + 1) as f64 / k as f64).ln();
+    }
+    (k > 0).then_some(k)
 }
 
 /// The random numbers of a bootstrap over so many values.
@@ -144,26 +162,17 @@ mod tests {
         assert_eq!(estimate(&[]), None);
     }
 
-    /// The bootstrap distribution of the median of an odd number of values has a closed form: the
-    /// median of a resample is at most x₍ₖ₎ if more than half of its draws are, a binomial tail.
+    /// The places that tables of the sign test give.
     #[test]
-    fn the_interval_is_that_of_the_exact_bootstrap() {
-        let n = 101;
-        let values: Vec<f64> = (1..=n).map(f64::from).collect();
-        let at_most = |k: i32| {
-            let p = f64::from(k) / f64::from(n);
-            let mut term = (1.0 - p).powi(n);
-            let mut below = term;
-            for i in 0..n / 2 {
-                term *= f64::from(n - i) / f64::from(i + 1) * p / (1.0 - p);
-                below += term;
-            }
-            1.0 - below
-        };
-        let quantile = |q: f64| (1..n).find(|&k| at_most(k) >= q).unwrap();
-        let interval = estimate(&values).unwrap().interval.unwrap();
-        assert!((interval.low - f64::from(quantile(0.025))).abs() <= 1.5, "{interval:?}");
-        assert!((interval.high - f64::from(quantile(0.975))).abs() <= 1.5, "{interval:?}");
+    fn the_interval_ends_at_the_places_of_the_tables() {
+        let places = [(5, None), (6, Some(1)), (8, Some(1)), (9, Some(2)), (12, Some(3))];
+        for (n, k) in places.into_iter().chain([(20, Some(6)), (50, Some(18)), (100, Some(40))]) {
+            assert_eq!(outermost(n), k, "{n}");
+        }
+        assert!(outermost(5_000).is_some_and(|k| (2_425..2_436).contains(&k)));
+        let values: Vec<f64> = (1..=20).rev().map(f64::from).collect();
+        let interval = estimate(&values).unwrap().interval;
+        assert_eq!(interval, Some(Interval { low: 6.0, high: 15.0 }));
     }
 
     #[test]

@@ -9,7 +9,9 @@ pub(super) fn contents(page: &Page<'_>) -> Markup {
     let comparison = page.comparison;
     html! {
         nav aria-label="Contents" {
-            a href="#proof" { "Proof" }
+            @if comparison.scenes.len() > 1 && !page.derived.overall.is_empty() { a href="#overall" { "All scenes" } }
+            @if comparison.baseline.is_some() { a href="#baseline" { "Against the baseline" } }
+            @if !comparison.scenes.is_empty() { a href="#proof" { "Proof" } }
             a href="#run" { "How it was measured" }
             @for (i, scene) in comparison.scenes.iter().enumerate() {
                 a href=(format!("#scene-{i}")) { (scene.name) }

@@ -101,6 +101,7 @@ fn stairs(front: &[(f64, f64)]) -> Vec<(f64, f64)> {
 pub(super) fn break_even(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
     let costs: Vec<_> = scene.structures.iter().filter_map(|s| Some((s, s.cost()?))).collect();
     let base = costs.iter().find(|(s, _)| Some(&s.structure) == scene.base.as_ref())?.1;
+    costs.iter().find(|(structure, _)| structure.break_even.is_some())?;
     let meetings: Vec<f64> = costs.iter().filter_map(|(s, _)| rays_of(s.break_even?)).collect();
     let (first, last) =
         meetings.iter().fold((1e3_f64, 1e6_f64), |(a, b), &n| (a.min(n / 10.0), b.max(n * 10.0)));

@@ -16,10 +16,10 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::limits::limits;
 use super::sampling_verdict::sampling_verdict;
 use super::tables;
-use super::verdict::verdict_of;
+use super::verdict::headline;
 use crate::record::derived::Derived;
 use crate::record::{Comparison, Sweep};
-use table::table;
+use table::{bare, table};
 
 /// The bytes of the picture files that a record names, by these names.
 pub type Pictures = BTreeMap<String, Vec<u8>>;
@@ -85,6 +85,8 @@ fn document(page: &Page<'_>) -> Markup {
                 header { (head(page)) }
                 (contents::contents(page))
                 main {
+                    (overall(page))
+                    (baseline(page))
                     (proof(page))
                     (run(page))
                     @for (scene, figures) in page.comparison.scenes.iter().zip(&page.derived.scenes) {
@@ -108,7 +110,9 @@ fn head(page: &Page<'_>) -> Markup {
     html! {
         p class="kicker" { "srt compares acceleration structures" }
         // An interval stays in one line.
-        h1 { (verdict_of(page.comparison, &page.derived).replace('–', "\u{2060}–\u{2060}")) }
+        @let (claim, rest) = headline(page.comparison, &page.derived);
+        h1 { (claim.replace('–', "\u{2060}–\u{2060}")) }
+        @if let Some(rest) = rest { p class="subtitle" { (rest) } }
         p class="byline" {
             @if run.date.is_empty() { "No date" } @else { time datetime=(run.date) { (run.date) } }
             @if !run.machine.cpu.is_empty() { " · " (run.machine.cpu) }
@@ -120,27 +124,46 @@ fn head(page: &Page<'_>) -> Markup {
     }
 }
 
+/// Which structure, over all scenes.
+fn overall(page: &Page<'_>) -> Markup {
+    let own = tables::overall_table(page.comparison, &page.derived);
+    html! {
+        @if !own.rows.is_empty() { section id="overall" { h2 { (own.title) } p class="note" { (own.note) } (bare(&own)) } }
+    }
+}
+
+fn baseline(page: &Page<'_>) -> Markup {
+    html! {
+        @if let Some(baseline) = &page.comparison.baseline {
+            @let own = tables::baseline_table(baseline);
+            section id="baseline" {
+                h2 { (own.title) }
+                @for warning in &baseline.outcome.warnings { p class="warning" { strong { "Warning. " } (warning) } }
+                p { (own.note) }
+                @if !own.rows.is_empty() { (bare(&own)) }
+            }
+        }
+    }
+}
+
 fn proof(page: &Page<'_>) -> Markup {
     let scenes = page.comparison.scenes.iter().filter_map(|s| Some((s, s.proof.as_ref()?)));
     html! {
-        section id="proof" {
+        @if !page.comparison.scenes.is_empty() { section id="proof" {
             h2 { "Proof" }
-            p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit. (A yardstick, another program's, need not.)" }
+            p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit. (A yardstick, another program's, need not.) Each scene's chapter has the figures." }
+            (table(&tables::proof_matrix(page.comparison)))
             @for (scene, proof) in scenes {
-                @let mut own = tables::proof_table(proof);
-                @let () = own.title.clone_from(&scene.name);
-                (table(&own))
-                @if let Some(picture) = &scene.picture { p class="hash" { "Pixels of the reference: SHA-256 " code { (picture.hash) } } }
                 @for entry in &proof.structures {
                     @if let Some(difference) = &entry.first_difference {
-                        p class="warning" { strong { (entry.structure) " differs. " } "First: " (difference) }
+                        p class="warning" { strong { (entry.structure) " differs in " (scene.name) ". " } "First: " (difference) }
                     }
                 }
             }
             @for scene in page.comparison.scenes.iter().filter(|scene| scene.proof.is_none()) {
                 p class="warning" { "For " strong { (scene.name) } " there is no proof: its pictures were not compared." }
             }
-        }
+        } }
     }
 }
 

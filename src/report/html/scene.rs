@@ -21,6 +21,8 @@ pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) 
             }
             p class="hash" { "Scene: SHA-256 " code { (scene.hash) } }
             (pictures::strip(page, scene))
+            @if let Some(proof) = &scene.proof { (table(&tables::proof_table(proof))) }
+            @if let Some(picture) = &scene.picture { p class="hash" { "Pixels of the reference: SHA-256 " code { (picture.hash) } } }
             (table(&tables::ray_table(own)))
             @let hardware = tables::hardware_table(own);
             @if !hardware.rows.is_empty() { (table(&hardware)) }

@@ -27,7 +27,7 @@ pub(super) fn bare(table: &Table) -> Markup {
     html! {
         div class="scroll" tabindex="0" {
             table {
-                thead { tr { @for column in &table.columns { th scope="col" class=[class(column)] { (column.head) } } } }
+                thead { tr { @for column in &table.columns { th scope="col" class=[class(column)] { (&column.head) } } } }
                 tbody {
                     @for (i, row) in table.rows.iter().enumerate() {
                         tr class=[row_class(grouped, repeats(i))] {

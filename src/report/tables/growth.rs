@@ -12,8 +12,17 @@ pub(in crate::report) fn growth_tables(sweep: &Sweep, figures: &SweepFigures) ->
 
 fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
     let heads = ["Class", "Structure", "#Slope", "#Standard error", "#Sizes", "Left the sweep"];
-    let note = "The exponent of the power law through the medians of time a ray against triangles: \
-                0 is constant, 1 is linear.";
+    let checked = match sweep.rays_checked {
+        0 => "No hits were compared.".to_owned(),
+        rays => format!(
+            "At each size hits were compared before anything was timed, bit for bit: {} in all.",
+            numbers::things(rays, "answer")
+        ),
+    };
+    let note = format!(
+        "The exponent of the power law through the medians of time a ray against triangles: 0 is \
+         constant, 1 is linear. {checked}"
+    );
     let mut table = Table::new("Slopes", note, &heads);
     let dropped = |curve: &SweepCurve| {
         let entry = sweep.dropped.iter().find(|entry| entry.structure == curve.structure)?;

@@ -3,14 +3,18 @@
 //! Markdown and HTML draw the same tables, so they say the same numbers. Knows records and
 //! figures; knows neither of the languages.
 
+mod baseline;
 mod growth;
+mod overall;
 mod rounds;
 mod run;
 mod sampling;
 mod scene;
 mod stages;
 
+pub(super) use baseline::baseline_table;
 pub(super) use growth::growth_tables;
+pub(super) use overall::{overall_table, proof_matrix};
 pub(super) use rounds::round_table;
 pub(super) use run::facts;
 pub(super) use sampling::sampling_tables;
@@ -20,7 +24,7 @@ pub(super) use scene::{
 pub(super) use stages::stage_table;
 
 use super::numbers::{self, NOTHING};
-use crate::record::statistics::Estimate;
+use crate::record::statistics::{Estimate, INTERVAL_ROUNDS};
 
 /// A table with a heading line.
 pub(super) struct Table {
@@ -36,7 +40,7 @@ pub(super) struct Table {
 
 /// A column's heading, and whether numbers stand in it.
 pub(super) struct Column {
-    pub(super) head: &'static str,
+    pub(super) head: String,
     pub(super) numeric: bool,
 }
 
@@ -50,14 +54,19 @@ pub(super) struct Cell {
 
 impl Table {
     /// A table without lines. Columns whose heading starts with `#` hold numbers.
-    fn new(title: impl Into<String>, note: impl Into<String>, heads: &[&'static str]) -> Self {
-        let column = |&head: &&'static str| match head.strip_prefix('#') {
-            Some(head) => Column { head, numeric: true },
-            None => Column { head, numeric: false },
+    fn new(title: impl Into<String>, note: impl Into<String>, heads: &[&str]) -> Self {
+        let column = |head: &&str| {
+            let number = head.strip_prefix('#');
+            Column { head: number.unwrap_or(head).to_owned(), numeric: number.is_some() }
         };
         let columns = heads.iter().map(column).collect();
         Self { title: title.into(), note: note.into(), columns, rows: Vec::new() }
     }
+}
+
+/// What stands in place of an interval for which there were too few rounds.
+fn too_few(estimate: Estimate) -> Option<String> {
+    (estimate.rounds < INTERVAL_ROUNDS).then(|| NOTHING.to_owned())
 }
 
 impl Cell {
@@ -78,7 +87,7 @@ impl Cell {
     fn estimate(estimate: Option<Estimate>) -> Self {
         estimate.map_or_else(Self::nothing, |estimate| Self {
             text: numbers::median(estimate),
-            spread: numbers::spread(estimate),
+            spread: numbers::spread(estimate).or_else(|| too_few(estimate)),
         })
     }
 
@@ -86,7 +95,7 @@ impl Cell {
     fn time(estimate: Option<Estimate>) -> Self {
         estimate.map_or_else(Self::nothing, |estimate| {
             let (text, spread) = numbers::time_estimate(estimate);
-            Self { text, spread }
+            Self { text, spread: spread.or_else(|| too_few(estimate)) }
         })
     }
 }

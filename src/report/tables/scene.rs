@@ -20,8 +20,15 @@ pub(in crate::report) fn proof_table(proof: &Proof) -> Table {
     ];
     let mut table = Table::new("Proof", "", &heads);
     table.rows = proof.structures.iter().map(|entry| proof_row(entry, &proof.reference)).collect();
+    if let Some(witness) = &proof.witness {
+        let reference = &proof.reference;
+        table.note = format!(
+            "{reference} had time for some of the rays only. {witness} agrees with it on these, and \
+             the others were held against {witness} on all rays. "
+        );
+    }
     if !proof.yardsticks.is_empty() {
-        table.note = YARDSTICK_NOTE.to_owned();
+        table.note += YARDSTICK_NOTE;
         table.rows.extend(proof.yardsticks.iter().map(yardstick_row));
     }
     table
@@ -58,13 +65,17 @@ fn proof_row(entry: &StructureProof, reference: &str) -> Vec<Cell> {
         Some(false) => "DIFFERS",
         None => "not compared",
     };
+    // Nothing is said of what was never compared, and the reference is compared with nothing.
+    let is_other = entry.structure != reference;
+    let pixels = (is_other && entry.picture_equal.is_some()).then_some(entry);
+    let rays = (entry.rays_checked > 0).then_some(entry);
     vec![
         Cell::text(&entry.structure),
         Cell::text(picture),
-        Cell::text(numbers::whole(entry.differing_pixels)),
-        Cell::text(numbers::exact(entry.largest_difference)),
-        Cell::text(numbers::whole(entry.rays_checked)),
-        Cell::text(numbers::whole(entry.differing_hits)),
+        Cell::of(pixels, |entry| numbers::whole(entry.differing_pixels)),
+        Cell::of(pixels, |entry| numbers::exact(entry.largest_difference)),
+        Cell::of(rays, |entry| numbers::whole(entry.rays_checked)),
+        Cell::of(rays.filter(|_| is_other), |entry| numbers::whole(entry.differing_hits)),
     ]
 }
 
@@ -164,12 +175,24 @@ pub(in crate::report) fn ray_table(figures: &SceneFigures) -> Table {
         "#M rays/s",
         "#× base",
         "#Rounds",
+        "#Wall/own time",
+        "#Rays of × base",
     ];
     let base = figures.base.as_deref().unwrap_or("none");
-    let note = format!(
-        "Medians of rounds, each with its 95 % interval; “× base” is how many times as fast as \
-         {base}, round by round."
+    let mut note = format!(
+        "Medians of rounds, each with its 95 % interval, or – where there were too few. “× base” \
+         is how many times as fast as {base}, round by round, on the rays that both traced: the \
+         last column says how many. ns/ray leaves out what was spent waiting for a processor that \
+         other programs had."
     );
+    let all = || figures.structures.iter().flat_map(|structure| &structure.classes);
+    if all().any(ClassFigures::is_disturbed) {
+        note += " † marks rows whose rounds took more than a tenth longer on the wall: trust them \
+                 less.";
+    }
+    if all().any(|class| class.speedup.is_some() && class.speedup_rays.is_none()) {
+        note += " ‡ marks ratios between times of different rays.";
+    }
     let mut table = Table::new("Rays", note, &heads);
     for class in figures.classes() {
         let rows = figures.structures.iter().filter_map(|s| Some((s, s.class(class)?)));
@@ -191,6 +214,14 @@ fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
         Cell::estimate(class.million_rays_per_second),
         Cell::estimate(class.speedup),
         Cell::of(class.ns_per_ray, |estimate| estimate.rounds.to_string()),
+        Cell::of(class.disturbance, |disturbance| {
+            let mark = if class.is_disturbed() { " †" } else { "" };
+            format!("{}{mark}", numbers::figures(disturbance))
+        }),
+        match (class.speedup, class.speedup_rays) {
+            (Some(_), None) => Cell::text("‡"),
+            (_, rays) => Cell::of(rays, numbers::whole),
+        },
     ]
 }
 

@@ -35,8 +35,10 @@ pub(super) fn sweep() -> Sweep {
         structure: structure.to_owned(),
         triangles: 1_000_000,
         reason: "a round would take more than its part of the budget".to_owned(),
+        failed: false,
     };
-    Sweep { mesh: "hall".to_owned(), points, dropped: vec![dropped("none"), dropped("ball")] }
+    let dropped = vec![dropped("none"), dropped("ball")];
+    Sweep { mesh: "hall".to_owned(), points, dropped, rays_checked: 123_456 }
 }
 
 pub(super) fn sampling() -> SamplingChapter {

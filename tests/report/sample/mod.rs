@@ -5,6 +5,8 @@ mod noise;
 mod pictures;
 mod scenes;
 
+use srt::record::baseline::{Baseline, Change, Changes};
+use srt::record::statistics::{Estimate, Interval};
 use srt::record::*;
 
 pub(crate) use pictures::pictures;
@@ -58,8 +60,31 @@ pub(crate) fn full() -> Comparison {
     comparison.scenes = vec![bunny(), hall()];
     comparison.sweeps = vec![sweep()];
     comparison.sampling = Some(sampling());
+    comparison.baseline = Some(baseline());
     comparison.notes = vec!["The hall was generated with seed 1.".to_owned()];
     comparison
+}
+
+/// A class that became slower and one that did not, on another machine.
+fn baseline() -> Baseline {
+    let change = |class, median: f64| Change {
+        scene: "bunny".to_owned(),
+        structure: "bvh".to_owned(),
+        class,
+        slowdown: Estimate {
+            median,
+            interval: Some(Interval { low: median - 0.02, high: median + 0.03 }),
+            rounds: 12,
+        },
+    };
+    Baseline {
+        threshold: 0.1,
+        outcome: Changes {
+            changes: vec![change(RayClass::View, 1.31), change(RayClass::Shadow, 1.01)],
+            warnings: vec!["The seed was 1 and is 42. The rays are others.".to_owned()],
+            doubts: vec!["The compiler was rustc 1.89.0 and is rustc 1.91.0.".to_owned()],
+        },
+    }
 }
 
 /// A run in which nothing was measured.

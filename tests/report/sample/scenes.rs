@@ -25,7 +25,17 @@ fn class(kind: &Kind, class: RayClass, rays: u64, dearer: f64, key: u64) -> Clas
         boxes: Some((boxes * dearer * rays as f64) as u64),
         primitives: Some((primitives * dearer * rays as f64) as u64),
         rounds: rounds(ns * dearer * rays as f64, 12, key),
+        common: (kind.name == "cwbvh" && class == RayClass::Random).then(|| CommonRays {
+            rays: 1_000,
+            own: without_hardware(rounds(ns * dearer * 1e3, 12, key + 7)),
+            base: without_hardware(rounds(ns * dearer * 4e5, 12, key + 8)),
+        }),
     }
+}
+
+fn without_hardware(mut rounds: Vec<Round>) -> Vec<Round> {
+    rounds.iter_mut().for_each(|round| round.hardware = None);
+    rounds
 }
 
 fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRecord {
@@ -115,6 +125,7 @@ fn proof(structures: &[&str], key: u64) -> Proof {
     };
     Proof {
         reference: structures[0].to_owned(),
+        witness: Some(structures[2].to_owned()),
         structures: structures.iter().map(entry).collect(),
         yardsticks: vec![YardstickProof {
             structure: "other".to_owned(),
@@ -172,6 +183,7 @@ pub(super) fn bunny() -> SceneRecord {
         hash: hash(1),
         objects: 3,
         triangles,
+        stored_triangles: triangles,
         lights: 2,
         picture: Some(picture_file("pictures/bunny.png", 1)),
         proof: Some(proof(&["none", "ball", "bvh", "cwbvh"], 1)),
@@ -232,6 +244,7 @@ pub(super) fn hall() -> SceneRecord {
         hash: hash(2),
         objects: 1,
         triangles,
+        stored_triangles: triangles,
         lights: 4,
         picture: Some(picture_file("pictures/hall.png", 2)),
         proof: Some(proof(&["ball", "bvh", "cwbvh"], 2)),

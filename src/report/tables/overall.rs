@@ -1,0 +1,84 @@
+//! All scenes at a glance: who is how fast, and where that was proved.
+
+use super::{Cell, Table};
+use crate::record::derived::{Derived, OverallFigures};
+use crate::record::{Comparison, RayClass, SceneRecord, Status};
+use crate::report::numbers;
+
+/// Geometric means over the scenes, a line for each structure; without lines for a single scene.
+pub(in crate::report) fn overall_table(comparison: &Comparison, derived: &Derived) -> Table {
+    let traced = |class: &RayClass| derived.overall.iter().any(|own| own.class == *class);
+    let classes: Vec<RayClass> = RayClass::ALL.into_iter().filter(traced).collect();
+    let heads: Vec<String> = std::iter::once("Structure".to_owned())
+        .chain(classes.iter().map(|class| format!("#{}", class.name())))
+        .collect();
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let note = format!(
+        "How many times as fast as {}, ray for ray: geometric means over the scenes in which both \
+         traced the class. Below each stands over how many; only means over the same scenes can \
+         be compared.",
+        comparison.base
+    );
+    let mut table = Table::new("All scenes together", note, &heads);
+    if comparison.scenes.len() < 2 {
+        return table;
+    }
+    let mut names: Vec<&str> = derived.overall.iter().map(|own| own.structure.as_str()).collect();
+    names.dedup();
+    let row = |name: &&str| {
+        let cell = |class: &RayClass| {
+            let is_own = |own: &&OverallFigures| own.structure == *name && own.class == *class;
+            derived.overall.iter().find(is_own).map_or_else(Cell::nothing, |own| Cell {
+                text: numbers::figures(own.speedup),
+                spread: Some(numbers::things(own.scenes.into(), "scene")),
+            })
+        };
+        std::iter::once(Cell::text(*name)).chain(classes.iter().map(cell)).collect()
+    };
+    table.rows = names.iter().map(row).collect();
+    table
+}
+
+/// What was proved in which scene, a line for each scene; without lines for a single scene, whose
+/// own table says it all.
+pub(in crate::report) fn proof_matrix(comparison: &Comparison) -> Table {
+    let mut names: Vec<&str> = Vec::new();
+    for row in comparison.scenes.iter().flat_map(|scene| &scene.structures) {
+        if !names.contains(&row.name.as_str()) {
+            names.push(&row.name);
+        }
+    }
+    let heads: Vec<&str> = std::iter::once("Scene").chain(names.iter().copied()).collect();
+    let note = "Pictures and hits, each equal to the reference's bit for bit, and the number of \
+                recorded rays whose answers were compared.";
+    let mut table = Table::new("What was proved", note, &heads);
+    if comparison.scenes.len() < 2 {
+        return table;
+    }
+    let row = |scene: &SceneRecord| {
+        let cells = names.iter().map(|name| proved(scene, name));
+        std::iter::once(Cell::text(&scene.name)).chain(cells).collect()
+    };
+    table.rows = comparison.scenes.iter().map(row).collect();
+    table
+}
+
+fn proved(scene: &SceneRecord, name: &str) -> Cell {
+    let failed =
+        scene.structure(name).is_some_and(|row| matches!(row.status, Status::Failed { .. }));
+    let entry = scene.proof.as_ref().and_then(|proof| Some((proof, proof.structure(name)?)));
+    let Some((proof, entry)) = entry else {
+        return if failed { Cell::text("failed") } else { Cell::nothing() };
+    };
+    let text = match entry.picture_equal {
+        _ if !entry.holds() => "DIFFERS",
+        _ if failed => "failed",
+        _ if proof.reference == name => "the reference",
+        Some(true) if entry.picture_hash.is_some() => "picture and hits",
+        Some(true) => "a smaller picture and hits",
+        _ if entry.rays_checked > 0 => "hits",
+        _ => return Cell::nothing(),
+    };
+    let rays = (entry.rays_checked > 0).then(|| numbers::things(entry.rays_checked, "ray"));
+    Cell { text: text.to_owned(), spread: rays }
+}
