@@ -23,3 +23,10 @@ pub mod scene;
 pub mod scene_file;
 pub mod shapes;
 pub mod simd;
+
+/// The Rust in the pages of this project, compiled as documentation tests so that it stays true.
+#[cfg(doctest)]
+mod pages {
+    #[doc = include_str!("../CONTRIBUTING.md")]
+    struct Contributing;
+}
