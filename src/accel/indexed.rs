@@ -10,6 +10,26 @@ use super::{
 };
 
 /// Primitives, in the order of their structure.
+///
+/// This is all that rays need, without any scene: [`Tracer`] takes them in slices.
+///
+/// ```
+/// use srt::accel::{BuildConfig, Bvh, Indexed, Tracer};
+/// use srt::glam::Vec3;
+/// use srt::math::{Hit, Ray};
+/// use srt::shapes::TriangleSet;
+///
+/// // A square of two triangles.
+/// let positions = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
+/// let square = TriangleSet::new(&positions, &[[0, 1, 2], [0, 2, 3]]);
+/// let bvh: Indexed<_, Bvh> = Indexed::build(square, &BuildConfig::default());
+///
+/// let rays = [Ray::new(Vec3::new(0.25, 0.75, 2.0), Vec3::NEG_Z)];
+/// let (mut hits, mut blocked) = ([Hit::MISS], [false]);
+/// bvh.intersect(&rays, &mut hits, None);
+/// bvh.occluded(&rays, &mut blocked, None);
+/// assert_eq!((hits[0].t, hits[0].prim, blocked[0]), (2.0, 1, true));
+/// ```
 #[derive(Clone, Debug)]
 pub struct Indexed<P, A> {
     primitives: P,
