@@ -7,6 +7,7 @@ use crate::math::{Hit, Ray};
 
 use super::{
     Accel, BuildConfig, BuildStages, Primitives, StructureShape, Tracer, Tree, blocked, closest,
+    order,
 };
 
 /// Primitives, in the order of their structure.
@@ -35,20 +36,31 @@ pub struct Indexed<P, A> {
     primitives: P,
     accel: A,
     build_time: Duration,
+    check_time: Duration,
     stages: BuildStages,
 }
 
 impl<P: Primitives, A: Accel> Indexed<P, A> {
     /// Builds a structure and puts the primitives into its order.
+    ///
+    /// # Panics
+    /// If the structure's order ([`Built::order`](super::Built::order)) does not give each primitive
+    /// one slot.
     #[must_use]
     pub fn build(mut primitives: P, config: &BuildConfig) -> Self {
         let start = Instant::now();
         let mut stages = BuildStages::default();
         let built = A::build_in_stages(&primitives, config, &mut stages);
+        let mut check_time = Duration::ZERO;
         if let Some(order) = &built.order {
+            // No part of the build: a structure is not to pay for being trusted little.
+            let check = Instant::now();
+            order::assert_whole(order, primitives.count());
+            check_time = check.elapsed();
             stages.time("order", || primitives.reorder(order));
         }
-        Self { primitives, accel: built.accel, build_time: start.elapsed(), stages }
+        let build_time = start.elapsed() - check_time;
+        Self { primitives, accel: built.accel, build_time, check_time, stages }
     }
 
     /// What is searched.
@@ -57,10 +69,16 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         &self.primitives
     }
 
-    /// How long the build took, the reordering of the primitives included.
+    /// How long the build took, the reordering of the primitives included, and without the check of
+    /// their order.
     #[must_use]
     pub fn build_time(&self) -> Duration {
         self.build_time
+    }
+
+    /// How long the check of the order took, for those who time around the build.
+    pub(crate) fn check_time(&self) -> Duration {
+        self.check_time
     }
 
     /// What the build spent its time on.
