@@ -6,8 +6,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
-mod adversarial_rays;
-mod nasty_meshes;
 mod scenes;
 
 use glam::Vec3;
@@ -16,12 +14,11 @@ use srt::accel::{
     Accel, BoundingBall, BuildConfig, Bvh, Bvh8, CompressedWideBvh, Exhaustive, Indexed, Quality,
     Tracer,
 };
+use srt::conformance::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
+use srt::conformance::nasty_meshes::{self, Mesh};
 use srt::counters::NoCounters;
 use srt::math::{Hit, Ray};
 use srt::shapes::TriangleSet;
-
-use adversarial_rays::{bundles_around, rays_at};
-use nasty_meshes::Mesh;
 
 /// The answers of a structure.
 fn trace(tracer: &dyn Tracer, rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
@@ -50,19 +47,6 @@ fn assert_equal(what: &str, tracer: &dyn Tracer, rays: &[Ray], expected: &(Vec<H
 fn indexed<A: Accel>(mesh: &Mesh, quality: Quality) -> Indexed<TriangleSet, A> {
     let config = BuildConfig { quality, ..BuildConfig::default() };
     Indexed::build(TriangleSet::new(&mesh.positions, &mesh.triangles), &config)
-}
-
-/// Rays that begin, or end, exactly at the hits of others, or one float beside them.
-fn rays_cut_at_hits(rays: &[Ray], hits: &[Hit]) -> Vec<Ray> {
-    let cut = |(i, (ray, hit)): (usize, (&Ray, &Hit))| {
-        hit.is_hit().then(|| match i % 4 {
-            0 => Ray { t_max: hit.t, ..*ray },
-            1 => Ray { t_max: hit.t.next_down(), ..*ray },
-            2 => Ray { t_min: hit.t, ..*ray },
-            _ => Ray { t_min: hit.t.next_up(), ..*ray },
-        })
-    };
-    rays.iter().zip(hits).enumerate().filter_map(cut).collect()
 }
 
 /// Compares all structures with `none` on one mesh; returns how many rays were compared.
