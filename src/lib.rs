@@ -26,8 +26,8 @@
 //! ```
 //!
 //! Any [`Accel`](accel::Accel) stands in for `Bvh8`, and gives the same hits. How to bring one of
-//! one's own is told at [`compare`], and [`conformance::check`] tells whether it keeps the
-//! contract. From scenes to pictures it is
+//! one's own is told at [`compare`]; [`conformance::check`] tells whether it keeps the contract, and
+//! [`cli::run_with`] gives it the whole command line. From scenes to pictures it is
 //! [`scene_file::parse`], [`assets::load_meshes`], [`scene::Scene::new`],
 //! [`scene::Structure::build`] and [`render::render`].
 //!

@@ -19,7 +19,6 @@ use crate::image_io::{Format, encode};
 use crate::record::Comparison;
 use crate::record::baseline::Changes;
 use crate::report::terminal;
-use crate::scene::{STRUCTURES, Structure, structure_named};
 
 /// Seconds for each scene, and for all, if nobody says how many.
 const SECONDS_A_SCENE: u64 = 30;
@@ -35,8 +34,7 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcom
     let folder = ResultFolder::prepare(&out)?;
     let plan = plan(arguments, scenes);
     let progress = CompareProgress::start(arguments.quiet, interrupt.clone());
-    let structures = structures(arguments);
-    let outcome = interrupt.heeded_by(|| compare::run(&plan, &structures, &progress));
+    let outcome = interrupt.heeded_by(|| compare::run(&plan, &arguments.accel, &progress));
     drop(progress);
     let outcome = outcome.map_err(Failure::new)?;
     folder.write(&outcome.comparison, &encoded(&outcome.pictures)?)?;
@@ -155,15 +153,6 @@ fn plan(arguments: &CompareArguments, scenes: Vec<SceneInput>) -> Plan {
         plan.classes.clone_from(&arguments.classes);
     }
     plan
-}
-
-/// The structures that were named, yardsticks among them, or all structures.
-fn structures(arguments: &CompareArguments) -> Vec<Structure> {
-    let named = |name: &String| structure_named(name);
-    match arguments.accel.is_empty() {
-        true => STRUCTURES.to_vec(),
-        false => arguments.accel.iter().filter_map(named).copied().collect(),
-    }
 }
 
 fn encoded(pictures: &[(String, crate::image_io::Picture)]) -> Result<PictureFiles, Failure> {

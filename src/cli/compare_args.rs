@@ -3,16 +3,16 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, value_parser};
 
 use super::args::{described, named};
+use super::structures::Structures;
 use super::values::{Size, percent, seconds, sizes};
 use crate::accel::Quality;
 use crate::assets::generate::Kind;
 use crate::description::Options;
 use crate::record::RayClass;
-use crate::scene::{STRUCTURES, YARDSTICKS};
+use crate::scene::Structure;
 
 /// `srt compare`.
 #[derive(Debug, Args)]
@@ -33,8 +33,8 @@ pub(crate) struct CompareArguments {
     pub(crate) scenes: Vec<PathBuf>,
 
     /// The acceleration structures, with commas between them [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = structure_names())]
-    pub(crate) accel: Vec<String>,
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = Structures::default().parser())]
+    pub(crate) accel: Vec<Structure>,
 
     /// The classes of rays that are timed, with commas between them [default: view, shadow,
     /// mirror, refraction]
@@ -129,10 +129,4 @@ pub(crate) struct ReportArguments {
     /// Print nothing but errors
     #[arg(long, short)]
     pub(crate) quiet: bool,
-}
-
-/// The names of the structures, with what they are.
-fn structure_names() -> PossibleValuesParser {
-    let all = STRUCTURES.iter().chain(YARDSTICKS);
-    all.map(|s| PossibleValue::new(s.name).help(s.summary)).collect::<Vec<_>>().into()
 }

@@ -3,16 +3,16 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueEnum, value_parser};
 
 use super::args::{described, named};
+use super::structures::Structures;
 use super::values::{self, Size};
 use crate::accel::Quality;
 use crate::description::Options;
 use crate::image_io::Format;
 use crate::render::{Crop, Sampling, Settings, View};
-use crate::scene::{STRUCTURES, YARDSTICKS};
+use crate::scene::Structure;
 
 /// The default command: rendering.
 #[derive(Debug, Args)]
@@ -29,9 +29,9 @@ pub(crate) struct RenderArguments {
     pub(crate) output: Option<PathBuf>,
 
     /// The acceleration structure
-    #[arg(long, value_name = "NAME", default_value = "bvh8", value_parser = structure_names(),
+    #[arg(long, value_name = "NAME", default_value = "bvh8", value_parser = Structures::default().parser(),
         help_heading = "Structure")]
-    pub(crate) accel: String,
+    pub(crate) accel: Structure,
 
     /// How long a build may take for a better tree
     #[arg(long, value_name = "QUALITY", default_value = Quality::default().name(),
@@ -138,10 +138,4 @@ pub(crate) enum StatsForm {
     Table,
     /// for programs
     Json,
-}
-
-/// The names of the structures, with what they are.
-fn structure_names() -> PossibleValuesParser {
-    let all = STRUCTURES.iter().chain(YARDSTICKS);
-    all.map(|s| PossibleValue::new(s.name).help(s.summary)).collect::<Vec<_>>().into()
 }
