@@ -126,7 +126,8 @@ pub(crate) struct MeshArguments {
     pub(crate) triangles: u32,
 
     /// Where the random numbers start
-    #[arg(long, value_name = "S", default_value_t = 0)]
+    #[arg(long, value_name = "S", allow_negative_numbers = true, default_value_t = 0,
+        value_parser = values::whole::<u64>(0, u64::MAX))]
     pub(crate) seed: u64,
 
     /// The file to write; `-` is standard output
@@ -149,7 +150,8 @@ pub(crate) struct CompletionsArguments {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  srt man | man -l -\n  srt man ~/.local/share/man/man1")]
 pub(crate) struct ManArguments {
-    /// The folder to write srt.1, srt-check.1, … into; without it, srt.1 is printed
+    /// The folder to write srt.1, srt-check.1, … into, made where it is missing; without it, srt.1
+    /// is printed
     #[arg(value_name = "DIR")]
     pub(crate) folder: Option<PathBuf>,
 }

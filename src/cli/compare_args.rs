@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use clap::{Args, value_parser};
+use clap::Args;
 
 use super::args::{described, named};
 use super::structures::Structures;
-use super::values::{Size, percent, seconds, sizes};
+use super::values::{Size, percent, seconds, sizes, whole};
 use crate::accel::Quality;
 use crate::assets::generate::Kind;
 use crate::description::Options;
@@ -49,7 +49,7 @@ pub(crate) struct CompareArguments {
 
     /// Threads that build and render [default: one a processor]; rays are timed on one
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = value_parser!(u16).range(1..=1024))]
+        value_parser = whole::<u16>(1, 1024))]
     pub(crate) threads: Option<u16>,
 
     /// How long all of it may take [default: 30 for each scene, at most 150; 60 more for --sweep,
@@ -61,20 +61,21 @@ pub(crate) struct CompareArguments {
 
     /// Rounds of each measurement at least, if the budget allows
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 10,
-        value_parser = value_parser!(u32).range(1..=400))]
+        value_parser = whole::<u32>(1, 400))]
     pub(crate) rounds: u32,
 
     /// Width and height of the pictures [default: as the scene says, at most 300 pixels a side]
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub(crate) size: Option<Size>,
 
     /// N × N samples a pixel; 0 is one ray through its centre [default: as the scene says, at most 2]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = value_parser!(u32).range(0..=i64::from(Options::MAX_AA)))]
+        value_parser = whole::<u32>(0, u64::from(Options::MAX_AA)))]
     pub(crate) aa: Option<u32>,
 
     /// Where random numbers start
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 0,
+        value_parser = whole::<u64>(0, u64::MAX))]
     pub(crate) seed: u64,
 
     /// Measure growth too: sizes of a generated mesh in triangles, such as 1k..10M

@@ -1,5 +1,6 @@
 //! `srt man`: the man pages, from the definition in `args.rs`.
 
+use std::fs;
 use std::io;
 use std::path::Path;
 
@@ -25,6 +26,9 @@ fn print(command: Command) -> Outcome {
 }
 
 fn write_all(folder: &Path, command: Command) -> Outcome {
+    fs::create_dir_all(folder).map_err(|error| {
+        Failure::new(format_args!("cannot make the folder `{}`: {error}", folder.display()))
+    })?;
     for (name, page) in pages(command).map_err(Failure::new)? {
         let output = Output::prepare(&folder.join(name)).map_err(Failure::from)?;
         output.write(|to| to.write_all(&page)).map_err(Failure::from)?;

@@ -2,6 +2,7 @@
 //! adds ([`run_with`](super::run_with)).
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, CommandFactory, FromArgMatches};
 
 use super::args::{self, Arguments};
@@ -37,9 +38,9 @@ impl Structures {
 
     /// What this process was told.
     pub(crate) fn arguments(&self) -> Arguments {
-        let mut matches = self.command().get_matches();
-        let read = Arguments::from_arg_matches_mut(&mut matches);
-        let mut arguments = read.unwrap_or_else(|error| error.format(&mut self.command()).exit());
+        let matches = self.command().try_get_matches();
+        let read = matches.and_then(|mut matches| Arguments::from_arg_matches_mut(&mut matches));
+        let mut arguments = read.unwrap_or_else(|error| self.explained(error).exit());
         if let Some(args::Command::Compare(compare)) = &mut arguments.command
             && compare.accel.is_empty()
         {
@@ -47,6 +48,20 @@ impl Structures {
             compare.accel = self.0.iter().copied().filter(|one| !one.yardstick).collect();
         }
         arguments
+    }
+
+    /// An error of clap's in words that fit: what it takes for a subcommand behind a scene and an
+    /// output is one word too many.
+    fn explained(&self, error: clap::Error) -> clap::Error {
+        match error.get(ContextKind::InvalidSubcommand) {
+            Some(ContextValue::String(word)) => self.command().error(
+                ErrorKind::UnknownArgument,
+                format_args!(
+                    "unexpected argument `{word}`: a rendering takes a scene and an output"
+                ),
+            ),
+            _ => error,
+        }
     }
 
     /// Takes the name of one; the help says what each is.
