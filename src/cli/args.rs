@@ -19,6 +19,7 @@ Examples:
   srt scene.sce detail.png --crop 90,50,190,150 --aa 8
   srt scene.sce cost.png --view heatmap            what the rays of each pixel cost
   srt scene.sce - --format png | display -         to a pipe
+  sed 's/^nx .*/nx 99/' scene.sce | srt - a.png    from one
   srt compare scenes/hall.sce                      which structure is how fast, as a report
   srt check scenes/*.sce                           validate without rendering
   srt diff old.png new.png -o difference.png       compare two pictures
@@ -77,7 +78,7 @@ pub(crate) enum Command {
     Example:\n  srt check scenes/*.sce"
 )]
 pub(crate) struct CheckArguments {
-    /// The scene files
+    /// The scene files; `-` is standard input
     #[arg(value_name = "SCENE", required = true)]
     pub(crate) scenes: Vec<PathBuf>,
 

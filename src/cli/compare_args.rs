@@ -6,6 +6,7 @@ use std::time::Duration;
 use clap::Args;
 
 use super::args::{described, named};
+use super::source::is_stdin;
 use super::structures::Structures;
 use super::values::{Size, percent, seconds, sizes, whole};
 use crate::accel::Quality;
@@ -29,7 +30,7 @@ srt compare scenes/soft-shadows.sce --sampling-study\n  \
 srt compare scenes/hall.sce --baseline results/old/report.json --fail-above 10%")]
 pub(crate) struct CompareArguments {
     /// The scene files (sce1.0)
-    #[arg(value_name = "SCENE", required_unless_present = "sweep")]
+    #[arg(value_name = "SCENE", required_unless_present = "sweep", value_parser = named_file)]
     pub(crate) scenes: Vec<PathBuf>,
 
     /// The acceleration structures, with commas between them [default: all]
@@ -130,4 +131,10 @@ pub(crate) struct ReportArguments {
     /// Print nothing but errors
     #[arg(long, short)]
     pub(crate) quiet: bool,
+}
+
+/// A report names what was compared, and reads it twice.
+fn named_file(text: &str) -> Result<PathBuf, &'static str> {
+    let path = PathBuf::from(text);
+    if is_stdin(&path) { Err("a comparison takes scenes from files") } else { Ok(path) }
 }

@@ -17,7 +17,9 @@ use crate::scene::Structure;
 /// The default command: rendering.
 #[derive(Debug, Args)]
 pub(crate) struct RenderArguments {
-    /// The scene file (sce1.0)
+    /// The scene file (sce1.0); `-` is standard input
+    ///
+    /// Meshes that a scene from standard input names are looked for in the working folder.
     #[arg(value_name = "SCENE", required = true)]
     pub(crate) scene: Option<PathBuf>,
 
