@@ -71,7 +71,10 @@ fn compile(
     warnings.extend(diagnose::dropped(&description, &meshes));
     let compiled = Scene::new(&description, meshes);
     match compiled {
-        Ok(scene) => Ok((description, scene, in_order(warnings))),
+        Ok(scene) => {
+            warnings.extend(diagnose::eye_in_the_dark(&description));
+            Ok((description, scene, in_order(warnings)))
+        }
         Err(errors) => {
             warnings.extend(errors.iter().map(|error| diagnose::scene(error, &description)));
             Err(in_order(warnings))
