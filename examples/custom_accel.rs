@@ -1,89 +1,27 @@
-//! An acceleration structure of one's own, from outside the crate: a uniform grid. It is held
-//! against the library's structures, bit for bit, and measured beside them; if a hit differed, the
-//! smallest ray that shows it would be printed.
+//! An acceleration structure of one's own, from outside the crate: a uniform grid (`grid/mod.rs`).
+//! It is held against no structure at all, bit for bit, by rays made to find differences, and
+//! measured beside the library's structures; if a hit differed, the ray that shows it would be
+//! printed.
 //!
 //! `cargo run --release --example custom_accel`
 
 #![allow(clippy::print_stdout, reason = "an example prints what it finds")]
 
-use std::ops::{ControlFlow, Range};
+mod grid;
+
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Duration;
 
-use srt::accel::{Accel, Bounded, BuildConfig, Built, Bvh, StructureShape, Tree};
+use srt::accel::Bvh;
 use srt::assets::generate::{Kind, generate};
 use srt::compare::{Plan, SceneInput, Silent, run};
-use srt::counters::Counters;
-use srt::math::{Aabb, BoxRay, Ray};
+use srt::conformance;
 use srt::report::terminal;
 use srt::scene::{Scene, Structure, structure_named};
 use srt::scene_file::{ParseOptions, parse};
 
-/// The cells of a grid in which the centre of any primitive lies: the box around these primitives,
-/// and their slots.
-struct Grid {
-    cells: Vec<(Aabb, Range<u32>)>,
-}
-
-impl Accel for Grid {
-    fn build(primitives: &impl Bounded, _: &BuildConfig) -> Built<Self> {
-        // About as many cells as there are primitives in each.
-        let side = f64::from(primitives.count()).powf(1.0 / 6.0).ceil() as f32;
-        let all = primitives.total_bounds();
-        let cell_of = |primitive: u32| {
-            let place = (primitives.bounds(primitive).center() - all.min) / all.size();
-            (side * place).to_array().map(|x| x.min(side - 1.0) as u32)
-        };
-        let mut order: Vec<u32> = (0..primitives.count()).collect();
-        order.sort_by_cached_key(|&primitive| cell_of(primitive));
-        let (mut cells, mut first) = (Vec::new(), 0);
-        for cell in order.chunk_by(|&a, &b| cell_of(a) == cell_of(b)) {
-            let boxes = cell.iter().map(|&primitive| primitives.bounds(primitive));
-            let end = first + cell.len() as u32;
-            cells.push((boxes.fold(Aabb::EMPTY, Aabb::union), first..end));
-            first = end;
-        }
-        Built { accel: Self { cells }, order: Some(order) }
-    }
-
-    fn traverse<C: Counters>(
-        &self,
-        ray: &Ray,
-        box_ray: &BoxRay,
-        counters: &mut C,
-        mut leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
-    ) {
-        let mut end = ray.t_max;
-        for (bounds, slots) in &self.cells {
-            counters.boxes(1);
-            let (near, far) = box_ray.interval(bounds);
-            // Inclusive: a box that begins at the end may hold a tie.
-            if near.max(ray.t_min) <= far.min(end) {
-                match leaf(slots.clone(), counters) {
-                    ControlFlow::Continue(t) => end = t,
-                    ControlFlow::Break(()) => return,
-                }
-            }
-        }
-    }
-
-    fn shape(&self) -> StructureShape {
-        let mut shape = StructureShape { nodes: 1, ..StructureShape::default() };
-        self.cells.iter().for_each(|(_, slots)| shape.add_leaf(slots.len() as u32, 1));
-        shape.bytes = size_of_val(&self.cells[..]) as u64;
-        shape
-    }
-
-    /// The grid as a tree of two levels, so that its end-point overlap is measured too.
-    fn tree(&self) -> Option<Tree> {
-        let root = (Aabb::EMPTY, 0..0);
-        Some(Tree::of((root, &self.cells[..]), |(node, below), children| {
-            children.extend(below.iter().map(|cell| (cell.clone(), &self.cells[..0])));
-            node.clone()
-        }))
-    }
-}
+use grid::Grid;
 
 const SCENE: &str = "sce1.0
 eyepos 0.3 -3.2 1.4
@@ -104,6 +42,7 @@ end
 ";
 
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
+    println!("{}", conformance::check::<Grid>()?);
     let parsed = parse(SCENE, &ParseOptions::default()).map_err(|errors| format!("{errors:?}"))?;
     let knot = Arc::new(generate(Kind::TorusKnot, 20_000, 0));
     let scene = Scene::new(&parsed.description, vec![knot])

@@ -52,7 +52,9 @@ this is not read {";
 #[test]
 fn a_scene_with_everything_is_read_as_it_is_meant() {
     let parsed = parse(FULL, &ParseOptions::default()).unwrap();
-    assert_eq!(parsed.warnings, []);
+    let warnings: Vec<_> = parsed.warnings.iter().map(|warning| &warning.message[..]).collect();
+    assert_eq!(warnings, ["what follows `end` is not read"]);
+    assert_eq!(FULL[parsed.warnings[0].span.clone()], *"this");
     let mut found = parsed.description;
     round(&mut found);
     assert_eq!(found, expected());

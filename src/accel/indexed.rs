@@ -7,28 +7,60 @@ use crate::math::{Hit, Ray};
 
 use super::{
     Accel, BuildConfig, BuildStages, Primitives, StructureShape, Tracer, Tree, blocked, closest,
+    order,
 };
 
 /// Primitives, in the order of their structure.
+///
+/// This is all that rays need, without any scene: [`Tracer`] takes them in slices.
+///
+/// ```
+/// use srt::accel::{BuildConfig, Bvh, Indexed, Tracer};
+/// use srt::glam::Vec3;
+/// use srt::math::{Hit, Ray};
+/// use srt::shapes::TriangleSet;
+///
+/// // A square of two triangles.
+/// let positions = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
+/// let square = TriangleSet::new(&positions, &[[0, 1, 2], [0, 2, 3]]);
+/// let bvh: Indexed<_, Bvh> = Indexed::build(square, &BuildConfig::default());
+///
+/// let rays = [Ray::new(Vec3::new(0.25, 0.75, 2.0), Vec3::NEG_Z)];
+/// let (mut hits, mut blocked) = ([Hit::MISS], [false]);
+/// bvh.intersect(&rays, &mut hits, None);
+/// bvh.occluded(&rays, &mut blocked, None);
+/// assert_eq!((hits[0].t, hits[0].prim, blocked[0]), (2.0, 1, true));
+/// ```
 #[derive(Clone, Debug)]
 pub struct Indexed<P, A> {
     primitives: P,
     accel: A,
     build_time: Duration,
+    check_time: Duration,
     stages: BuildStages,
 }
 
 impl<P: Primitives, A: Accel> Indexed<P, A> {
     /// Builds a structure and puts the primitives into its order.
+    ///
+    /// # Panics
+    /// If the structure's order ([`Built::order`](super::Built::order)) does not give each primitive
+    /// one slot.
     #[must_use]
     pub fn build(mut primitives: P, config: &BuildConfig) -> Self {
         let start = Instant::now();
         let mut stages = BuildStages::default();
         let built = A::build_in_stages(&primitives, config, &mut stages);
+        let mut check_time = Duration::ZERO;
         if let Some(order) = &built.order {
+            // No part of the build: a structure is not to pay for being trusted little.
+            let check = Instant::now();
+            order::assert_whole(order, primitives.count());
+            check_time = check.elapsed();
             stages.time("order", || primitives.reorder(order));
         }
-        Self { primitives, accel: built.accel, build_time: start.elapsed(), stages }
+        let build_time = start.elapsed() - check_time;
+        Self { primitives, accel: built.accel, build_time, check_time, stages }
     }
 
     /// What is searched.
@@ -37,10 +69,16 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         &self.primitives
     }
 
-    /// How long the build took, the reordering of the primitives included.
+    /// How long the build took, the reordering of the primitives included, and without the check of
+    /// their order.
     #[must_use]
     pub fn build_time(&self) -> Duration {
         self.build_time
+    }
+
+    /// How long the check of the order took, for those who time around the build.
+    pub(crate) fn check_time(&self) -> Duration {
+        self.check_time
     }
 
     /// What the build spent its time on.

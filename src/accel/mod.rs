@@ -19,6 +19,7 @@ mod config;
 mod cwbvh;
 mod indexed;
 mod none;
+mod order;
 mod packs;
 mod shape;
 mod stages;
@@ -179,7 +180,12 @@ pub struct Built<A> {
     /// The structure.
     pub accel: A,
     /// Slot → primitive index, where the structure wants an order of its own;
-    /// [`NONE`](crate::math::NONE) for a slot that stays empty.
+    /// [`NONE`](crate::math::NONE) for a slot that stays empty, which is for primitives that are tested
+    /// several at once ([`Bounded::lanes`]): others close ranks.
+    ///
+    /// Each primitive has exactly one slot: [`Indexed::build`] panics otherwise, with a message as
+    /// `the order names primitive 17 twice and 4 never`. A primitive that several leaves want is
+    /// offered several times from its one slot.
     pub order: Option<Vec<u32>>,
 }
 

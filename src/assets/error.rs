@@ -57,6 +57,14 @@ pub enum Problem {
         /// What the operating system said.
         reason: String,
     },
+    /// A mesh of another kind than is read.
+    #[error("the mesh file `{}` looks like {format}", path.display())]
+    OtherFormat {
+        /// The file.
+        path: PathBuf,
+        /// What it looks like.
+        format: &'static str,
+    },
     /// Bytes that are not UTF-8 text.
     #[error("the mesh file `{}` is not text", path.display())]
     NotText {

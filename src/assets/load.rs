@@ -166,6 +166,13 @@ fn similar_name(path: &Path) -> String {
 
 fn read_file(path: &Path) -> Result<MeshData, Box<Failure>> {
     let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+    if let Some(format) = other_format(path, &bytes) {
+        let help = "meshes are read as Wavefront OBJ: convert it".to_owned();
+        return Err(Failure::new(
+            Problem::OtherFormat { path: path.to_owned(), format },
+            Some(help),
+        ));
+    }
     let text = String::from_utf8(bytes).map_err(|error| {
         let line = first_bad_line(error.as_bytes(), error.utf8_error().valid_up_to());
         Box::new(Failure {
@@ -195,6 +202,23 @@ fn read_file(path: &Path) -> Result<MeshData, Box<Failure>> {
         ),
     };
     Err(Failure::new(problem, Some(help.to_owned())))
+}
+
+/// What a file that is no OBJ is, where it begins like one of the common other formats. Binary STL
+/// begins with anything, but tells how long it is.
+fn other_format(path: &Path, bytes: &[u8]) -> Option<&'static str> {
+    let is_stl = || {
+        let named = path.extension().is_some_and(|name| name.eq_ignore_ascii_case("stl"));
+        let count = bytes.get(80..84)?.first_chunk().copied().map(u32::from_le_bytes)?;
+        Some(named && bytes.len() as u64 == 84 + 50 * u64::from(count))
+    };
+    match bytes {
+        _ if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") => Some("PLY"),
+        _ if bytes.starts_with(b"glTF") => Some("glTF"),
+        _ if bytes.starts_with(b"solid ") || bytes.starts_with(b"solid\n") => Some("STL"),
+        _ if is_stl() == Some(true) => Some("STL"),
+        _ => None,
+    }
 }
 
 /// The line that holds the byte at `offset`, its readable part; the path is left open.

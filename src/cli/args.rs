@@ -19,6 +19,7 @@ Examples:
   srt scene.sce detail.png --crop 90,50,190,150 --aa 8
   srt scene.sce cost.png --view heatmap            what the rays of each pixel cost
   srt scene.sce - --format png | display -         to a pipe
+  sed 's/^nx .*/nx 99/' scene.sce | srt - a.png    from one
   srt compare scenes/hall.sce                      which structure is how fast, as a report
   srt check scenes/*.sce                           validate without rendering
   srt diff old.png new.png -o difference.png       compare two pictures
@@ -77,7 +78,7 @@ pub(crate) enum Command {
     Example:\n  srt check scenes/*.sce"
 )]
 pub(crate) struct CheckArguments {
-    /// The scene files
+    /// The scene files; `-` is standard input
     #[arg(value_name = "SCENE", required = true)]
     pub(crate) scenes: Vec<PathBuf>,
 
@@ -126,7 +127,8 @@ pub(crate) struct MeshArguments {
     pub(crate) triangles: u32,
 
     /// Where the random numbers start
-    #[arg(long, value_name = "S", default_value_t = 0)]
+    #[arg(long, value_name = "S", allow_negative_numbers = true, default_value_t = 0,
+        value_parser = values::whole::<u64>(0, u64::MAX))]
     pub(crate) seed: u64,
 
     /// The file to write; `-` is standard output
@@ -149,7 +151,8 @@ pub(crate) struct CompletionsArguments {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  srt man | man -l -\n  srt man ~/.local/share/man/man1")]
 pub(crate) struct ManArguments {
-    /// The folder to write srt.1, srt-check.1, … into; without it, srt.1 is printed
+    /// The folder to write srt.1, srt-check.1, … into, made where it is missing; without it, srt.1
+    /// is printed
     #[arg(value_name = "DIR")]
     pub(crate) folder: Option<PathBuf>,
 }

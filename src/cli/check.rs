@@ -8,6 +8,7 @@ use super::exit::{Exit, Outcome};
 use super::inventory;
 use super::load::{LoadError, Loaded, load};
 use super::output::print;
+use super::source;
 use super::terminal::{tell, tell_error};
 
 /// Checks every scene, also after one that is not valid; the worst decides how the command ends.
@@ -43,6 +44,6 @@ fn show(path: &Path, loaded: &Loaded) -> Outcome {
         tell(&loaded.warnings);
     }
     let text = inventory::describe(&loaded.description, &loaded.scene);
-    print(&format!("{}: valid\n{text}", path.display()))?;
+    print(&format!("{}: valid\n{text}", source::name(path)))?;
     Ok(Exit::Fine)
 }

@@ -18,7 +18,6 @@ use crate::compare::{self, PictureOptions, Plan, SceneInput, SweepPlan};
 use crate::image_io::{Format, encode};
 use crate::record::baseline::{Baseline, Changes};
 use crate::report::terminal;
-use crate::scene::{STRUCTURES, Structure, structure_named};
 
 /// Seconds for each scene, and for all, if nobody says how many.
 const SECONDS_A_SCENE: u64 = 30;
@@ -40,8 +39,7 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcom
         tell(note);
     }
     let progress = CompareProgress::start(arguments.quiet, interrupt.clone());
-    let structures = structures(arguments);
-    let outcome = interrupt.heeded_by(|| compare::run(&plan, &structures, &progress));
+    let outcome = interrupt.heeded_by(|| compare::run(&plan, &arguments.accel, &progress));
     drop(progress);
     let mut outcome = outcome.map_err(Failure::new)?;
     outcome.comparison.baseline = baseline.map(|old| Baseline {
@@ -188,15 +186,6 @@ fn too_short(plan: &Plan) -> Option<String> {
         let share = if parts > 1 { format!(" is {each:.1} s each,") } else { " is".to_owned() };
         format!("note: {what} in {budget} s{share} too little for intervals; --budget {enough}")
     })
-}
-
-/// The structures that were named, yardsticks among them, or all structures.
-fn structures(arguments: &CompareArguments) -> Vec<Structure> {
-    let named = |name: &String| structure_named(name);
-    match arguments.accel.is_empty() {
-        true => STRUCTURES.to_vec(),
-        false => arguments.accel.iter().filter_map(named).copied().collect(),
-    }
 }
 
 fn encoded(pictures: &[(String, crate::image_io::Picture)]) -> Result<PictureFiles, Failure> {

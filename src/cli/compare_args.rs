@@ -3,16 +3,17 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use clap::builder::{PossibleValue, PossibleValuesParser};
-use clap::{Args, value_parser};
+use clap::Args;
 
 use super::args::{described, named};
-use super::values::{Size, percent, seconds, sizes};
+use super::source::is_stdin;
+use super::structures::Structures;
+use super::values::{Size, percent, seconds, sizes, whole};
 use crate::accel::Quality;
 use crate::assets::generate::Kind;
 use crate::description::Options;
 use crate::record::RayClass;
-use crate::scene::{STRUCTURES, YARDSTICKS};
+use crate::scene::Structure;
 
 /// `srt compare`.
 #[derive(Debug, Args)]
@@ -29,12 +30,12 @@ srt compare scenes/soft-shadows.sce --sampling-study\n  \
 srt compare scenes/hall.sce --baseline results/old/report.json --fail-above 10%")]
 pub(crate) struct CompareArguments {
     /// The scene files (sce1.0)
-    #[arg(value_name = "SCENE", required_unless_present = "sweep")]
+    #[arg(value_name = "SCENE", required_unless_present = "sweep", value_parser = named_file)]
     pub(crate) scenes: Vec<PathBuf>,
 
     /// The acceleration structures, with commas between them [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = structure_names())]
-    pub(crate) accel: Vec<String>,
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = Structures::default().parser())]
+    pub(crate) accel: Vec<Structure>,
 
     /// The classes of rays that are timed, with commas between them [default: view, shadow,
     /// mirror, refraction]
@@ -49,7 +50,7 @@ pub(crate) struct CompareArguments {
 
     /// Threads that build and render [default: one a processor]; rays are timed on one
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = value_parser!(u16).range(1..=1024))]
+        value_parser = whole::<u16>(1, 1024))]
     pub(crate) threads: Option<u16>,
 
     /// How long all of it may take [default: 30 for each scene, at most 150; 60 more for --sweep,
@@ -61,20 +62,21 @@ pub(crate) struct CompareArguments {
 
     /// Rounds of each measurement at least, if the budget allows
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 10,
-        value_parser = value_parser!(u32).range(1..=400))]
+        value_parser = whole::<u32>(1, 400))]
     pub(crate) rounds: u32,
 
     /// Width and height of the pictures [default: as the scene says, at most 300 pixels a side]
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub(crate) size: Option<Size>,
 
     /// N × N samples a pixel; 0 is one ray through its centre [default: as the scene says, at most 2]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = value_parser!(u32).range(0..=i64::from(Options::MAX_AA)))]
+        value_parser = whole::<u32>(0, u64::from(Options::MAX_AA)))]
     pub(crate) aa: Option<u32>,
 
     /// Where random numbers start
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 0,
+        value_parser = whole::<u64>(0, u64::MAX))]
     pub(crate) seed: u64,
 
     /// Measure growth too: sizes of a generated mesh in triangles, such as 1k..10M
@@ -131,8 +133,8 @@ pub(crate) struct ReportArguments {
     pub(crate) quiet: bool,
 }
 
-/// The names of the structures, with what they are.
-fn structure_names() -> PossibleValuesParser {
-    let all = STRUCTURES.iter().chain(YARDSTICKS);
-    all.map(|s| PossibleValue::new(s.name).help(s.summary)).collect::<Vec<_>>().into()
+/// A report names what was compared, and reads it twice.
+fn named_file(text: &str) -> Result<PathBuf, &'static str> {
+    let path = PathBuf::from(text);
+    if is_stdin(&path) { Err("a comparison takes scenes from files") } else { Ok(path) }
 }

@@ -3,8 +3,11 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
 use crate::assets::{AssetError, MeshData};
-use crate::description::{SceneDescription, Span};
+use crate::description::{Light, Object, SceneDescription, Shape, Span};
 use crate::scene::SceneError;
 use crate::scene_file::{Diagnostic, LineElsewhere};
 
@@ -42,6 +45,29 @@ pub(crate) fn dropped(scene: &SceneDescription, meshes: &[Arc<MeshData>]) -> Vec
             .then(|| Diagnostic::warning(reference.span.clone(), message).with_label(kept))
     };
     meshes.iter().enumerate().filter_map(warning).collect()
+}
+
+/// A warning of the first opaque ball that keeps the eye within it and every light out. A room or a
+/// sky that is one ball has a light inside.
+pub(crate) fn eye_in_the_dark(scene: &SceneDescription) -> Option<Diagnostic> {
+    let around_eye = |object: &&Object| {
+        let Shape::Ball { radius, center } = object.shape else { return false };
+        if scene.materials[object.material].alpha < 1.0 {
+            return false;
+        }
+        let to_ball = object.transform.inverse();
+        let inside = |point: DVec3| to_ball.transform_point3(point).distance(center) < radius;
+        let lit = |light: &Light| match *light {
+            Light::Point { position, .. } => inside(position),
+            Light::Area { center, .. } => inside(center),
+        };
+        inside(scene.camera.eye) && !scene.lights.iter().any(lit)
+    };
+    // There may be millions.
+    let object = scene.objects.par_iter().find_first(around_eye)?;
+    let message = "the eye is within an opaque ball, and no light is: little else can be seen";
+    let warning = Diagnostic::warning(object.span.clone(), message).with_label("this ball");
+    Some(warning.with_help("look at `eyepos`, and at the ball's place and size"))
 }
 
 /// What `scene` traces.

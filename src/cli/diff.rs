@@ -2,6 +2,7 @@
 //! `image_io`; this file reads, tells and exits.
 
 use std::fs;
+use std::io::ErrorKind;
 use std::path::Path;
 
 use super::args::DiffArguments;
@@ -39,8 +40,12 @@ fn read(path: &Path) -> Result<Picture, Failure> {
     let trouble = |why: &dyn std::fmt::Display| {
         Failure::new(format_args!("cannot read `{}`: {why}", path.display()))
     };
+    // The file first: of one that is missing, the extension is the lesser trouble.
+    let bytes = fs::read(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => trouble(&"there is no such file"),
+        _ => trouble(&error),
+    })?;
     let format = Format::from_path(path).map_err(|error| trouble(&error))?;
-    let bytes = fs::read(path).map_err(|error| trouble(&error))?;
     decode(&bytes, format).map_err(|error| trouble(&error))
 }
 

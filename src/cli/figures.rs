@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::options::RenderOptions;
+use super::source;
 use crate::accel::Quality;
 use crate::counters::Counts;
 use crate::render::{self, RenderStats, Rendering, Scale, Settings, Stage, StageTimes, View};
@@ -11,7 +12,7 @@ use crate::scene::BuildReport;
 /// What one rendering took.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Report {
-    /// The scene's file, as typed.
+    /// The scene's file, as typed, or `standard input`.
     pub(crate) scene: String,
     /// Width of what was rendered, in pixels.
     pub(crate) width: u32,
@@ -65,7 +66,7 @@ impl Report {
         let region = settings.region();
         let counted = settings.count;
         Self {
-            scene: options.scene.display().to_string(),
+            scene: source::name(&options.scene),
             width: region.width(),
             height: region.height(),
             view: settings.view,

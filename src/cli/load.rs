@@ -27,7 +27,7 @@ pub(crate) enum LoadError {
     #[error(transparent)]
     Source(#[from] SourceError),
     /// The scene is wrong.
-    #[error("`{}` is not a valid scene: {summary}", path.display())]
+    #[error("{} is not a valid scene: {summary}", source::quoted(path))]
     Invalid {
         /// As typed.
         path: PathBuf,
@@ -71,7 +71,10 @@ fn compile(
     warnings.extend(diagnose::dropped(&description, &meshes));
     let compiled = Scene::new(&description, meshes);
     match compiled {
-        Ok(scene) => Ok((description, scene, in_order(warnings))),
+        Ok(scene) => {
+            warnings.extend(diagnose::eye_in_the_dark(&description));
+            Ok((description, scene, in_order(warnings)))
+        }
         Err(errors) => {
             warnings.extend(errors.iter().map(|error| diagnose::scene(error, &description)));
             Err(in_order(warnings))
@@ -79,7 +82,8 @@ fn compile(
     }
 }
 
-/// The folder that the scene's mesh paths are relative to.
+/// The folder that the scene's mesh paths are relative to: the working folder for a scene from
+/// standard input.
 fn folder_of(path: &Path) -> &Path {
     path.parent().unwrap_or(Path::new(""))
 }
@@ -90,9 +94,9 @@ fn in_order(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     diagnostics
 }
 
-fn text(diagnostics: &[Diagnostic], source: &str, path: &Path) -> String {
-    let name = path.display().to_string();
-    let mut text = render_diagnostics(diagnostics, source, &name, terminal::colors());
+fn text(diagnostics: &[Diagnostic], text_of_scene: &str, path: &Path) -> String {
+    let name = source::name(path);
+    let mut text = render_diagnostics(diagnostics, text_of_scene, &name, terminal::colors());
     text.truncate(text.trim_end().len());
     text
 }

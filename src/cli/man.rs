@@ -1,31 +1,35 @@
 //! `srt man`: the man pages, from the definition in `args.rs`.
 
+use std::fs;
 use std::io;
 use std::path::Path;
 
-use clap::{Command, CommandFactory};
+use clap::Command;
 use clap_mangen::Man;
 
-use super::args::{Arguments, ManArguments};
+use super::args::ManArguments;
 use super::exit::{Exit, Failure, Outcome};
 use super::output::Output;
 
 /// Prints `srt.1`, or writes it and the subcommands' pages into a folder.
-pub(super) fn run(arguments: &ManArguments) -> Outcome {
+pub(super) fn run(arguments: &ManArguments, command: Command) -> Outcome {
     match &arguments.folder {
-        None => print(),
-        Some(folder) => write_all(folder),
+        None => print(command),
+        Some(folder) => write_all(folder, command),
     }
 }
 
-fn print() -> Outcome {
-    let page = page(Arguments::command()).map_err(Failure::new)?;
+fn print(command: Command) -> Outcome {
+    let page = page(command).map_err(Failure::new)?;
     Output::stdout().write(|to| to.write_all(&page)).map_err(Failure::from)?;
     Ok(Exit::Fine)
 }
 
-fn write_all(folder: &Path) -> Outcome {
-    for (name, page) in pages().map_err(Failure::new)? {
+fn write_all(folder: &Path, command: Command) -> Outcome {
+    fs::create_dir_all(folder).map_err(|error| {
+        Failure::new(format_args!("cannot make the folder `{}`: {error}", folder.display()))
+    })?;
+    for (name, page) in pages(command).map_err(Failure::new)? {
         let output = Output::prepare(&folder.join(name)).map_err(Failure::from)?;
         output.write(|to| to.write_all(&page)).map_err(Failure::from)?;
     }
@@ -33,8 +37,7 @@ fn write_all(folder: &Path) -> Outcome {
 }
 
 /// The name and text of every page: `srt.1`, then `srt-check.1` and so on.
-fn pages() -> io::Result<Vec<(String, Vec<u8>)>> {
-    let mut command = Arguments::command();
+fn pages(mut command: Command) -> io::Result<Vec<(String, Vec<u8>)>> {
     command.build();
     let mut pages = vec![("srt.1".to_owned(), page(command.clone())?)];
     for subcommand in command.get_subcommands().filter(|s| s.get_name() != "help") {
@@ -64,11 +67,14 @@ fn keep_lines(page: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use clap::CommandFactory;
+
+    use super::super::args::Arguments;
     use super::*;
 
     #[test]
     fn every_subcommand_has_a_page() {
-        let pages = pages().unwrap();
+        let pages = pages(Arguments::command()).unwrap();
         let names: Vec<&str> = pages.iter().map(|(name, _)| name.as_str()).collect();
         let expected = [
             "srt.1",

@@ -13,8 +13,15 @@ pub(super) fn run(arguments: &MeshArguments) -> Outcome {
     let mesh = generate(arguments.kind, arguments.triangles, arguments.seed);
     output.write(|mut to| mesh.to_obj(&mut to))?;
     let made = mesh.triangles.len();
-    if made != arguments.triangles as usize {
-        tell(format_args!("the {} has {made} triangles", arguments.kind));
+    let asked = arguments.triangles;
+    if made != asked as usize {
+        let least = generate(arguments.kind, 1, arguments.seed).triangles.len();
+        let why = if made == least {
+            format!("asked for {asked}, the least is {least}")
+        } else {
+            format!("asked for {asked}, the form does not allow every number")
+        };
+        tell(format_args!("the {} has {made} triangles: {why}", arguments.kind));
     }
     Ok(Exit::Fine)
 }

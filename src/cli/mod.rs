@@ -6,6 +6,7 @@
 //! | file | what |
 //! |---|---|
 //! | `args.rs`, `render_args.rs`, `compare_args.rs`, `values.rs` | what was typed |
+//! | `structures.rs` | what `--accel` may name |
 //! | `options.rs` | what was validated |
 //! | `render.rs`, `compare.rs`, `report.rs`, `check.rs`, `diff.rs`, `mesh.rs`, `completions.rs`, `man.rs` | the subcommands |
 //! | `output/` | where results go, whole or not at all |
@@ -42,6 +43,7 @@ mod report;
 mod result_folder;
 mod sight;
 mod source;
+mod structures;
 mod summary;
 mod terminal;
 mod units;
@@ -49,22 +51,40 @@ mod values;
 
 use std::process::ExitCode;
 
-use clap::Parser;
-
+use crate::scene::Structure;
 use crate::simd::Isa;
 
-use args::{Arguments, Command};
+use args::Command;
 use exit::{Failure, Outcome};
 use interrupt::Interrupt;
+use structures::Structures;
 
 /// Runs the command with the arguments of this process.
 #[must_use]
 pub fn run() -> ExitCode {
-    exit::conclude(dispatch(Arguments::parse()))
+    run_with(&[])
+}
+
+/// Runs the command with structures of one's own beside the library's: `--accel` takes their names
+/// where it renders, draws heatmaps and compares. This is a whole `main.rs`:
+///
+/// ```no_run
+/// # use srt::accel::{Bvh, Bvh as Grid};
+/// use srt::scene::Structure;
+///
+/// fn main() -> std::process::ExitCode {
+///     // A tree over the objects of a scene, a grid over the triangles of each mesh.
+///     srt::cli::run_with(&[Structure::new::<Bvh, Grid>("grid", "a uniform grid over triangles")])
+/// }
+/// ```
+#[must_use]
+pub fn run_with(extra: &[Structure]) -> ExitCode {
+    exit::conclude(Structures::with(extra).and_then(|structures| dispatch(&structures)))
 }
 
 /// Hands what was typed to the file of its subcommand.
-fn dispatch(arguments: Arguments) -> Outcome {
+fn dispatch(structures: &Structures) -> Outcome {
+    let arguments = structures.arguments();
     Isa::chosen().map_err(Failure::new)?;
     let interrupt = Interrupt::install().map_err(Failure::new)?;
     match arguments.command {
@@ -74,7 +94,9 @@ fn dispatch(arguments: Arguments) -> Outcome {
         Some(Command::Report(report)) => report::run(&report),
         Some(Command::Diff(diff)) => diff::run(&diff),
         Some(Command::Mesh(mesh)) => mesh::run(&mesh),
-        Some(Command::Completions(completions)) => completions::run(&completions),
-        Some(Command::Man(man)) => man::run(&man),
+        Some(Command::Completions(completions)) => {
+            completions::run(&completions, structures.command())
+        }
+        Some(Command::Man(man)) => man::run(&man, structures.command()),
     }
 }

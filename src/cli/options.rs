@@ -12,7 +12,7 @@ use super::values::Size;
 use crate::accel::{BuildConfig, Quality};
 use crate::image_io::Format;
 use crate::render::{Crop, Sampling, Settings, View};
-use crate::scene::{Scene, Structure, structure_named};
+use crate::scene::{Scene, Structure};
 
 /// Everything a rendering is told, but for what the scene says.
 #[derive(Debug)]
@@ -24,7 +24,7 @@ pub(crate) struct RenderOptions {
     /// In which format.
     pub(crate) format: Format,
     /// The structure that is traced.
-    pub(crate) structure: &'static Structure,
+    pub(crate) structure: Structure,
     /// How it is built.
     pub(crate) build: BuildConfig,
     /// Threads that build and render.
@@ -87,7 +87,7 @@ impl RenderOptions {
         let (output, format) = prepare_picture(&output, typed.format)?;
         refuse_same_file(&scene, &output)?;
         Ok(Self {
-            structure: structure(&typed.accel)?,
+            structure: typed.accel,
             build: build_config(typed.build),
             threads: threads(typed.threads)?,
             overrides: Overrides {
@@ -204,11 +204,6 @@ fn refuse_same_file(scene: &Path, output: &Output) -> Result<(), Failure> {
         )));
     }
     Ok(())
-}
-
-fn structure(name: &str) -> Result<&'static Structure, Failure> {
-    structure_named(name)
-        .ok_or_else(|| Failure::new(format_args!("there is no structure `{name}`")))
 }
 
 fn build_config(quality: Quality) -> BuildConfig {

@@ -3,21 +3,23 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValue, PossibleValuesParser};
-use clap::{Args, ValueEnum, value_parser};
+use clap::{Args, ValueEnum};
 
 use super::args::{described, named};
-use super::values::{self, Size};
+use super::structures::Structures;
+use super::values::{self, Size, whole};
 use crate::accel::Quality;
 use crate::description::Options;
 use crate::image_io::Format;
 use crate::render::{Crop, Sampling, Settings, View};
-use crate::scene::{STRUCTURES, YARDSTICKS};
+use crate::scene::Structure;
 
 /// The default command: rendering.
 #[derive(Debug, Args)]
 pub(crate) struct RenderArguments {
-    /// The scene file (sce1.0)
+    /// The scene file (sce1.0); `-` is standard input
+    ///
+    /// Meshes that a scene from standard input names are looked for in the working folder.
     #[arg(value_name = "SCENE", required = true)]
     pub(crate) scene: Option<PathBuf>,
 
@@ -29,9 +31,9 @@ pub(crate) struct RenderArguments {
     pub(crate) output: Option<PathBuf>,
 
     /// The acceleration structure
-    #[arg(long, value_name = "NAME", default_value = "bvh8", value_parser = structure_names(),
+    #[arg(long, value_name = "NAME", default_value = "bvh8", value_parser = Structures::default().parser(),
         help_heading = "Structure")]
-    pub(crate) accel: String,
+    pub(crate) accel: Structure,
 
     /// How long a build may take for a better tree
     #[arg(long, value_name = "QUALITY", default_value = Quality::default().name(),
@@ -40,11 +42,11 @@ pub(crate) struct RenderArguments {
 
     /// Threads that build and render, at most four a processor [default: one a processor]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = value_parser!(u16).range(1..=1024), help_heading = "Structure")]
+        value_parser = whole::<u16>(1, 1024), help_heading = "Structure")]
     pub(crate) threads: Option<u16>,
 
     /// Width and height in pixels [default: as the scene says]
-    #[arg(long, value_name = "WxH", help_heading = "Picture")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, help_heading = "Picture")]
     pub(crate) size: Option<Size>,
 
     /// Render only the columns x0 to x1 and rows y0 to y1, counted from the top left
@@ -52,12 +54,13 @@ pub(crate) struct RenderArguments {
     /// x1 and y1 are the first column and row outside: 0,0,320,240 is the top left corner, 320
     /// pixels wide and 240 high. The picture holds these pixels alone, with the values that they
     /// have in the whole one.
-    #[arg(long, value_name = "x0,y0,x1,y1", value_parser = values::crop, help_heading = "Picture")]
+    #[arg(long, value_name = "x0,y0,x1,y1", allow_hyphen_values = true, value_parser = values::crop,
+        help_heading = "Picture")]
     pub(crate) crop: Option<Crop>,
 
     /// N × N samples a pixel; 0 is one ray through its centre [default: as the scene says]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = value_parser!(u32).range(0..=i64::from(Options::MAX_AA)), help_heading = "Picture")]
+        value_parser = whole::<u32>(0, u64::from(Options::MAX_AA)), help_heading = "Picture")]
     pub(crate) aa: Option<u32>,
 
     /// How the samples of lights are made
@@ -68,13 +71,13 @@ pub(crate) struct RenderArguments {
 
     /// N × N samples of each area light for each sample of a pixel
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 1,
-        value_parser = value_parser!(u32).range(1..=i64::from(Settings::MAX_LIGHT_SIDE)),
+        value_parser = whole::<u32>(1, u64::from(Settings::MAX_LIGHT_SIDE)),
         help_heading = "Picture")]
     pub(crate) light_samples: u32,
 
     /// How many mirror bounces and refractions a ray may take [default: as the scene says]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = value_parser!(u32).range(0..=i64::from(Options::MAX_RECURSION)),
+        value_parser = whole::<u32>(0, u64::from(Options::MAX_RECURSION)),
         help_heading = "Picture")]
     pub(crate) max_recursion: Option<u32>,
 
@@ -84,6 +87,7 @@ pub(crate) struct RenderArguments {
         value_name = "N",
         allow_negative_numbers = true,
         default_value_t = 0,
+        value_parser = whole::<u64>(0, u64::MAX),
         help_heading = "Picture"
     )]
     pub(crate) seed: u64,
@@ -118,10 +122,10 @@ pub(crate) struct RenderArguments {
     /// Counting takes some time; the picture stays the same.
     ///
     /// The JSON is one object of `version` 1: scene, width, height, view, scale (low, high
-    /// and spacing, of depths and heatmaps), partial, threads, structure (name, build, build_seconds, objects and
+    /// and spacing, of depths and heatmaps), partial, threads, structure (name, build, build_seconds, build_stages with stage and seconds, objects and
     /// meshes with bytes, nodes, leaves, depth and leaf_sizes, triangles, triangle_bytes,
-    /// bytes_per_triangle), render_seconds, thread_seconds (total, tracing, making_rays, shading, rest; added up
-    /// over the threads), rays, rays_per_second and classes (class, rays, hits, trace_seconds, boxes, primitives, boxes_per_ray, primitives_per_ray). Means of nothing are null.
+    /// bytes_per_triangle), render_seconds, thread_seconds (total, tracing, making_rays, shading, rest, outside_tracing, added up
+    /// over the threads, and outside_tracing_share), rays, rays_per_second and classes (class, rays, hits, trace_seconds, boxes, primitives, boxes_per_ray, primitives_per_ray). Means of nothing are null.
     #[arg(long, value_enum, value_name = "FORM", num_args = 0..=1, require_equals = true,
         default_missing_value = "table", help_heading = "Output")]
     pub(crate) stats: Option<StatsForm>,
@@ -138,10 +142,4 @@ pub(crate) enum StatsForm {
     Table,
     /// for programs
     Json,
-}
-
-/// The names of the structures, with what they are.
-fn structure_names() -> PossibleValuesParser {
-    let all = STRUCTURES.iter().chain(YARDSTICKS);
-    all.map(|s| PossibleValue::new(s.name).help(s.summary)).collect::<Vec<_>>().into()
 }

@@ -1,24 +1,47 @@
-//! The text of a scene file.
+//! The text of a scene.
 
 use std::fs;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 /// Why a scene's text cannot be had.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum SourceError {
     /// What the system says.
-    #[error("cannot read the scene `{}`: {source}", path.display())]
+    #[error("cannot read the scene {}: {source}", quoted(path))]
     Io {
         /// As typed.
         path: PathBuf,
         /// Why.
-        source: std::io::Error,
+        source: io::Error,
     },
 }
 
-/// Reads a scene's text. Remarks in it may be of any encoding: what is no UTF-8 is replaced.
+/// Whether a path means standard input.
+pub(crate) fn is_stdin(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// What a scene is called in messages.
+pub(crate) fn name(path: &Path) -> String {
+    if is_stdin(path) { "standard input".to_owned() } else { path.display().to_string() }
+}
+
+/// The same between backquotes, where it is what was typed.
+pub(crate) fn quoted(path: &Path) -> String {
+    if is_stdin(path) { name(path) } else { format!("`{}`", name(path)) }
+}
+
+/// Reads a scene's text from its file, or from standard input where the path is `-`. Remarks in it
+/// may be of any encoding: what is no UTF-8 is replaced.
 pub(crate) fn read(path: &Path) -> Result<String, SourceError> {
-    match fs::read(path) {
+    let read = if is_stdin(path) {
+        let mut bytes = Vec::new();
+        io::stdin().read_to_end(&mut bytes).map(|_| bytes)
+    } else {
+        fs::read(path)
+    };
+    match read {
         Ok(bytes) => Ok(String::from_utf8_lossy(&bytes).into_owned()),
         Err(source) => Err(SourceError::Io { path: path.to_owned(), source }),
     }

@@ -5,7 +5,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::time::Duration;
 
-use crate::assets::generate::MAX_TRIANGLES;
+use crate::assets::generate::{MAX_TRIANGLES, read_count};
 use crate::description::Camera;
 use crate::render::Crop;
 
@@ -30,6 +30,14 @@ pub(crate) enum ValueError {
     /// None, or more than can be made.
     #[error("the number must lie between 1 and {MAX_TRIANGLES}")]
     CountRange,
+    /// Not a whole number, or one out of bounds.
+    #[error("expected a whole number from {least} to {most}")]
+    Whole {
+        /// The least that is allowed.
+        least: u64,
+        /// The most.
+        most: u64,
+    },
     /// Not a time.
     #[error("expected a number of seconds above 0, such as 90 or 2.5")]
     Seconds,
@@ -83,12 +91,19 @@ pub(super) fn crop(text: &str) -> Result<Crop, ValueError> {
 
 /// Reads a number of triangles: digits, and `k` or `M` for thousands or millions.
 pub(super) fn triangles(text: &str) -> Result<u32, ValueError> {
-    let (digits, unit) = match text.strip_suffix(['k', 'K']) {
-        Some(digits) => (digits, 1_000),
-        None => text.strip_suffix(['m', 'M']).map_or((text, 1), |digits| (digits, 1_000_000)),
-    };
-    let count = number(digits).ok_or(ValueError::CountForm)?.saturating_mul(unit);
+    let count = read_count(text).ok_or(ValueError::CountForm)?;
     if (1..=MAX_TRIANGLES).contains(&count) { Ok(count) } else { Err(ValueError::CountRange) }
+}
+
+/// Reads whole numbers from `least` to `most`.
+pub(super) fn whole<T: TryFrom<u64> + Clone + Send + Sync + 'static>(
+    least: u64,
+    most: u64,
+) -> impl Fn(&str) -> Result<T, ValueError> + Clone + Send + Sync + 'static {
+    move |text| {
+        let number = text.trim().parse().ok().filter(|n| (least..=most).contains(n));
+        number.and_then(|n| T::try_from(n).ok()).ok_or(ValueError::Whole { least, most })
+    }
 }
 
 /// Reads a time in seconds, above 0 and at most a year.
@@ -165,6 +180,17 @@ mod tests {
         for bad in ["0", "0k", "101M", "99999999999"] {
             assert_eq!(triangles(bad), Err(ValueError::CountRange), "{bad}");
         }
+    }
+
+    #[test]
+    fn whole_numbers() {
+        let read = whole::<u16>(1, 1024);
+        assert_eq!((read("1"), read(" 1024 ")), (Ok(1), Ok(1024)));
+        for bad in ["", "0", "1025", "-1", "1.5", "x", "99999999999999999999"] {
+            let error = read(bad).unwrap_err().to_string();
+            assert_eq!(error, "expected a whole number from 1 to 1024", "{bad}");
+        }
+        assert_eq!(whole::<u64>(0, u64::MAX)("18446744073709551615"), Ok(u64::MAX));
     }
 
     #[test]

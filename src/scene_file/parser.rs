@@ -32,7 +32,8 @@ pub(super) fn read(
     if header.verdict == Verdict::NoScene {
         return (None, parser.builder.diagnostics);
     }
-    for line in lines(source).skip(usize::from(header.verdict != Verdict::Missing)) {
+    let mut lines = lines(source).skip(usize::from(header.verdict != Verdict::Missing));
+    for line in &mut lines {
         // A first line that stands elsewhere was reported already.
         if header.verdict == Verdict::Missing && header::begins_scene(line) {
             continue;
@@ -41,6 +42,11 @@ pub(super) fn read(
         if parser.builder.end.is_some() {
             break;
         }
+    }
+    if let Some((first, _)) = lines.find_map(lexer::keyword) {
+        let warning = Diagnostic::warning(first.span(), "what follows `end` is not read")
+            .with_label("the first line of it");
+        parser.builder.report(warning);
     }
     let end = parser.builder.end.take().unwrap_or_else(|| end_of(source));
     parser.recorder.report_unclosed(&mut parser.builder, &end);

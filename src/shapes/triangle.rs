@@ -56,6 +56,12 @@ impl Triangle {
         Self { v0: a, e1: b - a, e2: c - a }
     }
 
+    /// Whether nothing of it is infinite or NaN, its far corners as they are stored included.
+    pub(super) fn is_finite(&self) -> bool {
+        let Self { v0, e1, e2 } = *self;
+        v0.is_finite() && (v0 + e1).is_finite() && (v0 + e2).is_finite()
+    }
+
     /// The box of the stored triangle.
     #[inline]
     #[must_use]

@@ -1,6 +1,7 @@
 //! The triangles of a mesh, eight to a pack, as structures offer them.
 
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DVec3, Vec3, Vec3A, Vec4};
 use rayon::prelude::*;
@@ -10,8 +11,8 @@ use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray};
 use crate::simd::{Lanes3, Row, Simd, ones, prefetch, splat3};
 
-use super::Triangle;
 use super::triangle::scaled_hit;
+use super::{MeshError, Triangle};
 
 /// Lanes that a ray alone is tested with.
 const LANES: usize = 4;
@@ -70,18 +71,45 @@ struct Candidates {
 }
 
 impl TriangleSet {
-    /// The triangles of a mesh.
+    /// The triangles of a mesh. Vertices that no triangle names may be anything.
     ///
     /// # Panics
-    /// If an index is out of range, or there are more than 2³² − 1 triangles.
+    /// With the message of the error, where [`try_new`](Self::try_new) gives one.
     #[must_use]
     pub fn new(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
-        let count = u32::try_from(triangles.len()).expect("fewer than 2^32 triangles");
+        Self::try_new(positions, triangles).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// The triangles of a mesh, if they can be traced. A single NaN in a box would take other
+    /// triangles out of a tree.
+    ///
+    /// # Errors
+    /// If an index is out of range, a corner is not finite, a triangle too large, or there are more
+    /// than 2³² − 1 of them.
+    pub fn try_new(positions: &[Vec3], triangles: &[[u32; 3]]) -> Result<Self, MeshError> {
+        let too_many = |_| MeshError::TooMany { triangles: triangles.len() };
+        let count = u32::try_from(triangles.len()).map_err(too_many)?;
+        // What is wrong is only noted here, where each triangle is at hand; a second look finds
+        // which is the first.
+        let sound = AtomicBool::new(true);
         let triangle = |slot: usize| {
-            let corners = triangles.get(slot)?.map(|corner| positions[corner as usize]);
-            Some((Triangle::new(corners), slot as u32))
+            let corners =
+                triangles.get(slot)?.map(|corner| positions.get(corner as usize).copied());
+            if let [Some(a), Some(b), Some(c)] = corners {
+                let triangle = Triangle::new([a, b, c]);
+                if triangle.is_finite() {
+                    return Some((triangle, slot as u32));
+                }
+            }
+            sound.store(false, Ordering::Relaxed);
+            None
         };
         let packs = pack(triangles.len(), triangle);
+        if !sound.into_inner()
+            && let Some(error) = MeshError::of_first(positions, triangles)
+        {
+            return Err(error);
+        }
         let mut set = Self {
             packs,
             count,
@@ -89,7 +117,7 @@ impl TriangleSet {
             padding: Padding { largest: 0.0, factor: 1.0 },
         };
         set.padding = Padding::of_bounds(&set.total_bounds());
-        set
+        Ok(set)
     }
 
     /// How many triangles there are.

@@ -81,6 +81,7 @@ fn the_version_is_the_packages() {
 fn without_arguments_the_usage_is_shown() {
     refused(&[], &["Usage:"]);
     refused(&["scene.sce"], &["OUTPUT"]);
+    refused(&["scene.sce", "a.png", "extra"], &["unexpected argument `extra`", "Usage:"]);
 }
 
 #[test]
@@ -94,7 +95,12 @@ fn values_are_checked() {
     with("--crop", "5,0,5,9", &["empty"]);
     with("--accel", "bhv", &["none", "ball", "bvh", "cwbvh"]);
     with("--build", "slower", &["fastest", "slowest"]);
-    with("--threads", "0", &["--threads"]);
+    with("--threads", "0", &["--threads", "from 1 to 1024"]);
+    with("--threads", "x", &["--threads", "expected a whole number from 1 to 1024"]);
+    with("--aa", "1.5", &["--aa", "expected a whole number from 0 to 256"]);
+    with("--seed", "-1", &["--seed", "expected a whole number from 0 to"]);
+    with("--size", "-1x5", &["WIDTHxHEIGHT"]);
+    with("--crop", "-1,0,3,4", &["x0,y0,x1,y1"]);
     with("--threads", "1024", &["1024 threads are too many", "available"]);
     with("--size", "65535x65535", &["65535x65535 pixels are too many", "--crop"]);
     with("--aa", "-1", &["--aa"]);
@@ -138,6 +144,7 @@ fn a_scene_that_cannot_be_read_is_trouble() {
     refused(&["missing.sce", "a.png"], &["cannot read the scene `missing.sce`"]);
     refused(&["check", "missing.sce"], &["cannot read the scene `missing.sce`"]);
     refused(&["diff", "missing.png", "b.png"], &["cannot read `missing.png`"]);
+    refused(&["diff", "missing", "b.png"], &["cannot read `missing`: there is no such file"]);
     refused(&["diff", "scene.sce", "b.png"], &["cannot read `scene.sce`"]);
 }
 
@@ -167,7 +174,11 @@ fn man_pages_are_printed_or_written() {
     assert_eq!(run_in(folder.path(), &["man", "."]).code, 0);
     assert_eq!(fs::read_to_string(folder.path().join("srt.1")).unwrap(), page);
     assert!(folder.path().join("srt-diff.1").exists());
-    assert_eq!(run_in(folder.path(), &["man", "no/such"]).code, 2);
+    assert_eq!(run_in(folder.path(), &["man", "new/man1"]).code, 0);
+    assert_eq!(fs::read_to_string(folder.path().join("new/man1/srt.1")).unwrap(), page);
+    let Run { code, stderr, .. } = run_in(folder.path(), &["man", "srt.1/below"]);
+    assert_eq!(code, 2);
+    assert!(stderr.contains("cannot make the folder `srt.1/below`"), "{stderr}");
 }
 
 #[cfg(unix)]
@@ -208,6 +219,21 @@ mod unix {
     #[cfg(target_os = "linux")]
     fn a_place_that_takes_no_files_is_refused_even_to_root() {
         refused(&["missing.sce", "/proc/a.png"], &["cannot write `/proc/a.png`"]);
+        let run = run_in(Path::new("."), &["missing.sce", "/proc/a.png"]);
+        assert!(!run.stderr.contains(".tmp"), "{}", run.stderr);
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn a_full_standard_output_is_called_that() {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let run = Process::new(assert_cmd::cargo::cargo_bin!("srt"))
+            .args(["mesh", "soup", "-n", "100"])
+            .stdout(full)
+            .output()
+            .unwrap();
+        let stderr = String::from_utf8(run.stderr).unwrap();
+        assert!(stderr.contains("cannot write standard output: "), "{stderr}");
     }
 
     #[test]

@@ -31,6 +31,24 @@ fn the_worst_scene_decides_and_all_are_checked() {
     assert!(run.stderr.contains("`bad.sce` is not a valid scene"), "{}", run.stderr);
 }
 
+#[test]
+fn an_eye_within_an_opaque_ball_is_warned_of_unless_a_light_is_there_too() {
+    let folder = folder();
+    let said = |more: &str| {
+        let scene = SCENE.replace("\nend\n", &format!("\n{more}\nend\n"));
+        fs::write(folder.path().join("ball.sce"), scene).unwrap();
+        let run = run_in(folder.path(), &["check", "ball.sce"]);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        run.stderr
+    };
+    let dark = said("translate 0 -6 2.5\nscale 1 2 1\nball 0.5 0 0 0");
+    assert!(dark.contains("warning: the eye is within an opaque ball"), "{dark}");
+    assert!(dark.contains("this ball"), "{dark}");
+    assert_eq!(said("alpha 0.5\nball 0.5 0 -6 2.5"), "");
+    assert_eq!(said("ball 50 0 0 0"), "", "the light is in it too");
+    assert_eq!(said("ball 0.5 0 -7 2.5"), "");
+}
+
 /// Scenes of one mesh each, and the files that it may be.
 fn meshes(folder: &Path) {
     fs::create_dir(folder.join("meshes")).unwrap();

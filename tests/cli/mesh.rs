@@ -25,7 +25,12 @@ fn a_number_that_the_form_does_not_allow_is_told() {
     let folder = folder();
     let run = good_run_in(folder.path(), &["mesh", "icosphere", "-n", "100"]);
     assert!(run.stdout.starts_with("v "), "{}", run.stdout);
-    assert_eq!(run.stderr, "the icosphere has 80 triangles\n");
+    assert_eq!(
+        run.stderr,
+        "the icosphere has 80 triangles: asked for 100, the form does not allow every number\n"
+    );
+    let least = good_run_in(folder.path(), &["mesh", "hall", "-n", "1"]);
+    assert_eq!(least.stderr, "the hall has 168 triangles: asked for 1, the least is 168\n");
     let exact = good_run_in(folder.path(), &["mesh", "soup", "-n", "7"]);
     assert_eq!(exact.stderr, "");
 }

@@ -91,6 +91,29 @@ fn options_count_more_than_the_scene() {
 }
 
 #[test]
+fn a_scene_may_come_from_standard_input() {
+    let folder = folder();
+    let mesh = good_run_in(folder.path(), &["mesh", "torus-knot", "-n", "1000"]).stdout;
+    fs::write(folder.path().join("knot.obj"), mesh).unwrap();
+    let scene = crate::support::SCENE.replace("generate:torus-knot:1000", "knot.obj");
+    fs::write(folder.path().join("knot.sce"), &scene).unwrap();
+    good_run_in(folder.path(), &["knot.sce", "a.png"]);
+    let piped = |scene: &str, arguments: &[&str]| {
+        srt(arguments).current_dir(folder.path()).write_stdin(scene).output().unwrap()
+    };
+    let run = piped(&scene, &["-", "b.png"]);
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let read = |name: &str| fs::read(folder.path().join(name)).unwrap();
+    assert!(read("a.png") == read("b.png"));
+    assert!(piped(&scene, &["check", "-"]).stdout.starts_with(b"standard input: valid\n"));
+    let wrong = String::from_utf8(piped("sce1.0\nbal\n", &["-", "b.png"]).stderr).unwrap();
+    assert!(wrong.contains("standard input:2:1"), "{wrong}");
+    assert!(wrong.contains("error: standard input is not a valid scene"), "{wrong}");
+    let refused = String::from_utf8(piped(&scene, &["compare", "-"]).stderr).unwrap();
+    assert!(refused.contains("a comparison takes scenes from files"), "{refused}");
+}
+
+#[test]
 fn every_view_shows_something_of_its_own() {
     let folder = folder();
     let mut seen = Vec::new();

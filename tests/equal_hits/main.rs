@@ -6,9 +6,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
-mod adversarial_rays;
-mod axis_grids;
-mod nasty_meshes;
 mod scenes;
 
 use glam::Vec3;
@@ -17,13 +14,12 @@ use srt::accel::{
     Accel, BoundingBall, BuildConfig, Bvh, Bvh8, CompressedWideBvh, Exhaustive, Indexed, Quality,
     Tracer,
 };
+use srt::conformance::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
+use srt::conformance::axis_grids::grids_over;
+use srt::conformance::nasty_meshes::{self, Mesh};
 use srt::counters::NoCounters;
 use srt::math::{Hit, Ray};
 use srt::shapes::TriangleSet;
-
-use adversarial_rays::{bundles_around, rays_at};
-use axis_grids::grids_over;
-use nasty_meshes::Mesh;
 
 /// The answers of a structure.
 fn trace(tracer: &dyn Tracer, rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
@@ -52,19 +48,6 @@ fn assert_equal(what: &str, tracer: &dyn Tracer, rays: &[Ray], expected: &(Vec<H
 fn indexed<A: Accel>(mesh: &Mesh, quality: Quality) -> Indexed<TriangleSet, A> {
     let config = BuildConfig { quality, ..BuildConfig::default() };
     Indexed::build(TriangleSet::new(&mesh.positions, &mesh.triangles), &config)
-}
-
-/// Rays that begin, or end, exactly at the hits of others, or one float beside them.
-fn rays_cut_at_hits(rays: &[Ray], hits: &[Hit]) -> Vec<Ray> {
-    let cut = |(i, (ray, hit)): (usize, (&Ray, &Hit))| {
-        hit.is_hit().then(|| match i % 4 {
-            0 => Ray { t_max: hit.t, ..*ray },
-            1 => Ray { t_max: hit.t.next_down(), ..*ray },
-            2 => Ray { t_min: hit.t, ..*ray },
-            _ => Ray { t_min: hit.t.next_up(), ..*ray },
-        })
-    };
-    rays.iter().zip(hits).enumerate().filter_map(cut).collect()
 }
 
 /// Structures to be compared with `none`, by name.
@@ -151,7 +134,7 @@ fn grids_along_the_axes() {
             let mesh = mesh.moved(scale, offset);
             let structures = structures(&mesh, &[Quality::Medium]);
             let none = indexed::<Exhaustive>(&mesh, Quality::Medium);
-            let grids = grids_over(&mesh, 23);
+            let grids = grids_over(&mesh, 24, 23);
             let expected = trace(&none, &grids);
             assert_all_equal(&mesh, &structures, &grids, &expected);
             let cut = rays_cut_at_hits(&grids, &expected.0);

@@ -6,14 +6,15 @@ use std::sync::Arc;
 use glam::{DAffine3, DQuat, DVec3, Vec3};
 use srt::accel::{BuildConfig, Quality};
 use srt::assets::MeshData;
+use srt::conformance::adversarial_rays::rays_cut_at_hits;
+use srt::conformance::nasty_meshes::{self, Mesh, random_point};
 use srt::description::{
     Camera, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape,
 };
 use srt::math::{Color, Random, Ray};
 use srt::scene::{STRUCTURES, Scene};
 
-use crate::nasty_meshes::{self, Mesh, random_point};
-use crate::{assert_equal, rays_cut_at_hits, trace};
+use crate::{assert_equal, trace};
 
 #[test]
 fn random_scenes_of_transformed_objects() {

@@ -15,7 +15,7 @@ mod torus_knot;
 
 use std::fmt;
 
-pub use recipe::{Recipe, RecipeError};
+pub use recipe::{Recipe, RecipeError, read_count};
 
 use super::MeshData;
 

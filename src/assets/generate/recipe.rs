@@ -59,7 +59,9 @@ impl RecipeError {
                     None => format!("the kinds are {}", kinds()),
                 }
             }
-            Self::BadCount { .. } => format!("write a whole number from 1 to {MAX_TRIANGLES}"),
+            Self::BadCount { .. } => {
+                format!("write a whole number from 1 to {MAX_TRIANGLES}, such as 70000, 70k or 1M")
+            }
             Self::BadSeed { .. } => format!("write a whole number from 0 to {}", u64::MAX),
             Self::WrongParts { .. } => {
                 format!("write `generate:KIND:TRIANGLES[:SEED]`, KIND one of {}", kinds())
@@ -82,7 +84,7 @@ impl Recipe {
 
     fn of_parts(kind: &str, triangles: &str, seed: &str) -> Result<Self, RecipeError> {
         let unknown = || RecipeError::UnknownKind { name: kind.to_owned() };
-        let count = triangles.parse().ok().filter(|n| (1..=MAX_TRIANGLES).contains(n));
+        let count = read_count(triangles).filter(|n| (1..=MAX_TRIANGLES).contains(n));
         Ok(Self {
             kind: Kind::from_name(kind).ok_or_else(unknown)?,
             triangles: count
@@ -90,6 +92,26 @@ impl Recipe {
             seed: seed.parse().map_err(|_| RecipeError::BadSeed { seed: seed.to_owned() })?,
         })
     }
+}
+
+/// Reads a number of triangles: digits alone, or with `k` or `M` behind them for thousands or
+/// millions. Too large ones saturate, so that they meet whoever checks the range.
+///
+/// ```
+/// use srt::assets::generate::read_count;
+///
+/// assert_eq!(["70000", "70k", "1M"].map(read_count), [Some(70_000), Some(70_000), Some(1_000_000)]);
+/// assert_eq!(["", "k", "-5", "1.5k"].map(read_count), [None; 4]);
+/// ```
+#[must_use]
+pub fn read_count(text: &str) -> Option<u32> {
+    let (digits, unit) = match text.strip_suffix(['k', 'K']) {
+        Some(digits) => (digits, 1_000),
+        None => text.strip_suffix(['m', 'M']).map_or((text, 1), |digits| (digits, 1_000_000)),
+    };
+    // Rust's own parser would also take `+3`.
+    let fine = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+    fine.then(|| digits.parse().unwrap_or(u32::MAX).saturating_mul(unit))
 }
 
 fn kinds() -> String {
@@ -105,6 +127,8 @@ mod tests {
         let recipe = |kind, triangles, seed| Some(Ok(Recipe { kind, triangles, seed }));
         assert_eq!(Recipe::parse("generate:hall:5000"), recipe(Kind::Hall, 5000, 0));
         assert_eq!(Recipe::parse("generate:torus-knot:1:9"), recipe(Kind::TorusKnot, 1, 9));
+        assert_eq!(Recipe::parse("generate:soup:1k"), recipe(Kind::Soup, 1_000, 0));
+        assert_eq!(Recipe::parse("generate:soup:2M:3"), recipe(Kind::Soup, 2_000_000, 3));
         assert_eq!(Recipe::parse("meshes/generate.obj"), None);
     }
 
@@ -128,7 +152,7 @@ mod tests {
                 error(&format!("generate:hall:{bad}")),
                 (
                     format!("`{bad}` is not a number of triangles"),
-                    "write a whole number from 1 to 100000000".to_owned()
+                    "write a whole number from 1 to 100000000, such as 70000, 70k or 1M".to_owned()
                 )
             );
         }

@@ -66,3 +66,26 @@ fn every_mesh_that_cannot_be_had_is_an_error() {
     let root = format!("{}{}", folder.path().display(), std::path::MAIN_SEPARATOR);
     insta::assert_snapshot!(said.join("\n").replace(&root, ""));
 }
+
+#[test]
+fn meshes_of_other_formats_are_called_by_them() {
+    let mut binary = vec![0; 84];
+    binary[80] = 2;
+    binary.resize(84 + 2 * 50, 0xff);
+    let folder = folder_with(&[
+        ("a.ply", b"ply\nformat ascii 1.0\n"),
+        ("b.stl", b"solid b\nfacet normal 0 0 1\n"),
+        ("c.STL", &binary),
+        ("d.obj", b"glTF\x02\x00\x00\x00"),
+        ("e.stl", TRIANGLE.as_bytes()),
+    ]);
+    let problem = |name: &str| {
+        let loaded = load_meshes(&references(&[name]), folder.path());
+        loaded.err().map(|errors| match errors.into_iter().next() {
+            Some(AssetError { problem: Problem::OtherFormat { format, .. }, .. }) => format,
+            other => panic!("{name}: {other:?}"),
+        })
+    };
+    let found = ["a.ply", "b.stl", "c.STL", "d.obj", "e.stl"].map(problem);
+    assert_eq!(found, [Some("PLY"), Some("STL"), Some("STL"), Some("glTF"), None]);
+}

@@ -40,13 +40,21 @@ pub(crate) enum OutputError {
     #[error("the reader went away")]
     BrokenPipe,
     /// What the system says.
-    #[error("cannot write `{}`: {source}", path.display())]
+    #[error("cannot write {}: {source}", named(path))]
     Io {
         /// As typed.
         path: PathBuf,
         /// Why.
         source: io::Error,
     },
+}
+
+/// A path as it was typed; `-` is what it stands for.
+fn named(path: &Path) -> String {
+    match path.to_str() {
+        Some("-") => "standard output".to_owned(),
+        _ => format!("`{}`", path.display()),
+    }
 }
 
 impl OutputError {

@@ -84,14 +84,12 @@ fn create_beside(path: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(folder_of(path)).map_err(without_path)
 }
 
-/// tempfile's errors name the temporary file, which says nothing to whoever typed another name.
+/// tempfile's errors name the temporary file, which says nothing to whoever typed another name. What
+/// the system said stands before that name, and is to be had as text alone.
 fn without_path(error: io::Error) -> io::Error {
-    let inner = error.get_ref().and_then(std::error::Error::source);
-    match inner.and_then(|source| source.downcast_ref::<io::Error>()) {
-        Some(source) => match source.raw_os_error() {
-            Some(code) => io::Error::from_raw_os_error(code),
-            None => source.kind().into(),
-        },
+    let text = error.to_string();
+    match text.rsplit_once(" at path ") {
+        Some((said, _)) => io::Error::new(error.kind(), said),
         None => error,
     }
 }

@@ -1,24 +1,33 @@
 //! Meshes made to bring rounding and ties to light.
 
+use crate::math::Random;
 use glam::Vec3;
-use srt::math::Random;
 
 /// Positions and triangles.
-#[derive(Clone)]
-pub(crate) struct Mesh {
-    pub(crate) name: &'static str,
-    pub(crate) positions: Vec<Vec3>,
-    pub(crate) triangles: Vec<[u32; 3]>,
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    /// What it is called.
+    pub name: &'static str,
+    /// Where the vertices are.
+    pub positions: Vec<Vec3>,
+    /// Three vertices each.
+    pub triangles: Vec<[u32; 3]>,
 }
 
 impl Mesh {
     /// The mesh scaled about the origin, then moved.
-    pub(crate) fn moved(&self, scale: f32, offset: Vec3) -> Self {
+    #[must_use]
+    pub fn moved(&self, scale: f32, offset: Vec3) -> Self {
         let positions = self.positions.iter().map(|&p| p * scale + offset).collect();
         Self { positions, ..self.clone() }
     }
 
-    pub(crate) fn corners(&self, triangle: usize) -> [Vec3; 3] {
+    /// The corners of a triangle.
+    ///
+    /// # Panics
+    /// If there is none of that number.
+    #[must_use]
+    pub fn corners(&self, triangle: usize) -> [Vec3; 3] {
         self.triangles[triangle].map(|i| self.positions[i as usize])
     }
 
@@ -34,11 +43,15 @@ impl Mesh {
     }
 }
 
-pub(crate) fn all() -> Vec<Mesh> {
+/// All of them.
+#[must_use]
+pub fn all() -> Vec<Mesh> {
     vec![lattice(), nested(), soup(), fan(), single()]
 }
 
-fn empty(name: &'static str) -> Mesh {
+/// No triangle at all.
+#[must_use]
+pub fn empty(name: &'static str) -> Mesh {
     Mesh { name, positions: vec![], triangles: vec![] }
 }
 
@@ -50,7 +63,8 @@ fn axis(axis: usize, length: f32) -> Vec3 {
 
 /// Axis-parallel quads in shared planes: exact ties, flat boxes, overlapping and duplicate
 /// triangles, slivers.
-fn lattice() -> Mesh {
+#[must_use]
+pub fn lattice() -> Mesh {
     let mut mesh = empty("lattice");
     for a in 0..3 {
         let (b, c) = ((a + 1) % 3, (a + 2) % 3);
@@ -85,7 +99,8 @@ fn lattice() -> Mesh {
 }
 
 /// Triangles that grow geometrically about a corner: as deep a tree as one gets.
-pub(crate) fn nested() -> Mesh {
+#[must_use]
+pub fn nested() -> Mesh {
     let mut mesh = empty("nested");
     for i in 0..400 {
         let s = 1.1f32.powi(i) * 1e-11;
@@ -99,7 +114,8 @@ pub(crate) fn nested() -> Mesh {
 }
 
 /// Triangles of all sizes anywhere.
-pub(crate) fn soup() -> Mesh {
+#[must_use]
+pub fn soup() -> Mesh {
     let mut mesh = empty("soup");
     let mut random = Random::new(&[11]);
     for _ in 0..300 {
@@ -111,7 +127,8 @@ pub(crate) fn soup() -> Mesh {
 }
 
 /// Many triangles about one shared vertex, the flat way and as a cone.
-pub(crate) fn fan() -> Mesh {
+#[must_use]
+pub fn fan() -> Mesh {
     let mut mesh = empty("fan");
     for (height, tip) in [(0.0, Vec3::ZERO), (0.4, Vec3::new(0.1, 0.2, 1.0))] {
         let rim = |i: u32| {
@@ -125,13 +142,15 @@ pub(crate) fn fan() -> Mesh {
     mesh
 }
 
-fn single() -> Mesh {
+/// One triangle.
+#[must_use]
+pub fn single() -> Mesh {
     let mut mesh = empty("single");
     mesh.push([Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.5)]);
     mesh
 }
 
 /// A point in [−1, 1)³.
-pub(crate) fn random_point(random: &mut Random) -> Vec3 {
+pub fn random_point(random: &mut Random) -> Vec3 {
     Vec3::from_array(std::array::from_fn(|_| 2.0 * random.next_f32() - 1.0))
 }

@@ -1,15 +1,19 @@
 //! Rays aimed at where structures go wrong.
 
+use crate::math::{Hit, Random, Ray};
 use glam::Vec3;
-use srt::math::{Random, Ray};
 
-use crate::nasty_meshes::{Mesh, random_point};
+use super::nasty_meshes::{Mesh, random_point};
 
 /// The classes of rays, taken in turn.
 const CLASSES: usize = 12;
 
 /// `count` rays aimed at the triangles of a mesh.
-pub(crate) fn rays_at(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
+///
+/// # Panics
+/// If it has none.
+#[must_use]
+pub fn rays_at(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
     let low = mesh.positions.iter().copied().fold(Vec3::INFINITY, Vec3::min);
     let high = mesh.positions.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
     let mut aim = Aim {
@@ -27,7 +31,8 @@ pub(crate) fn rays_at(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
 
 /// Sixteen rays for each of some: itself, twice, and others around it, near and less near. These go
 /// together where a structure traces packets.
-pub(crate) fn bundles_around(rays: &[Ray]) -> Vec<Ray> {
+#[must_use]
+pub fn bundles_around(rays: &[Ray]) -> Vec<Ray> {
     let mut random = Random::new(&[7]);
     let mut bundles = Vec::with_capacity(16 * rays.len());
     for (number, ray) in rays.iter().enumerate() {
@@ -48,6 +53,20 @@ pub(crate) fn bundles_around(rays: &[Ray]) -> Vec<Ray> {
         }
     }
     bundles
+}
+
+/// Rays that begin, or end, exactly at the hits of others, or one float beside them.
+#[must_use]
+pub fn rays_cut_at_hits(rays: &[Ray], hits: &[Hit]) -> Vec<Ray> {
+    let cut = |(i, (ray, hit)): (usize, (&Ray, &Hit))| {
+        hit.is_hit().then(|| match i % 4 {
+            0 => Ray { t_max: hit.t, ..*ray },
+            1 => Ray { t_max: hit.t.next_down(), ..*ray },
+            2 => Ray { t_min: hit.t, ..*ray },
+            _ => Ray { t_min: hit.t.next_up(), ..*ray },
+        })
+    };
+    rays.iter().zip(hits).enumerate().filter_map(cut).collect()
 }
 
 struct Aim {

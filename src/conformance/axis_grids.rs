@@ -1,12 +1,12 @@
 //! Grids of rays that run along an axis, or nearly: plans, probes of heights, straight shadows.
 
 use glam::Vec3;
-use srt::math::{Random, Ray};
 
-use crate::nasty_meshes::Mesh;
+use crate::math::{Random, Ray};
 
-/// Points along each side of a grid; four by four of its rays stand in a row.
-const SIDE: usize = 24;
+use super::nasty_meshes::Mesh;
+
+/// So many by so many rays of a grid, side by side, stand in a row.
 const BLOCK: usize = 4;
 
 /// The components across, for each grid in turn.
@@ -15,16 +15,27 @@ const ACROSS: [[f32; 2]; 6] =
 
 /// Grids in all six directions. Of the first half of the rays sixteen in a row have one octant and
 /// go together where a structure traces packets; in the other half the same are mixed.
-pub(crate) fn grids_over(mesh: &Mesh, seed: u64) -> Vec<Ray> {
+///
+/// A grid has `side` rays, a multiple of four, along each side; there are 72 grids.
+///
+/// # Panics
+/// If the mesh has no vertex.
+#[must_use]
+pub fn grids_over(mesh: &Mesh, side: usize, seed: u64) -> Vec<Ray> {
+    assert!(!mesh.positions.is_empty(), "a mesh without a vertex");
     let mut random = Random::new(&[seed]);
-    let mut rays = Vec::with_capacity(2 * 6 * ACROSS.len() * SIDE * SIDE);
+    let mut rays = Vec::with_capacity(2 * 6 * ACROSS.len() * side * side);
     for direction in 0..6 {
         for across in ACROSS {
-            let mut grid = Grid::new(mesh, direction / 2, direction % 2 == 1, across, &mut random);
-            for block in 0..(SIDE / BLOCK).pow(2) {
+            let mut dir = Vec3::ZERO;
+            let axes = [0, 1, 2].map(|next| (direction / 2 + next) % 3);
+            dir[axes[0]] = if direction % 2 == 1 { -1.0 } else { 1.0 };
+            (dir[axes[1]], dir[axes[2]]) = (across[0], across[1]);
+            let mut grid = Grid::new(mesh, side, axes, dir, &mut random);
+            for block in 0..(side / BLOCK).pow(2) {
                 for place in 0..BLOCK * BLOCK {
-                    let column = block / (SIDE / BLOCK) * BLOCK + place / BLOCK;
-                    let row = block % (SIDE / BLOCK) * BLOCK + place % BLOCK;
+                    let column = block / (side / BLOCK) * BLOCK + place / BLOCK;
+                    let row = block % (side / BLOCK) * BLOCK + place % BLOCK;
                     rays.push(grid.ray(column, row));
                 }
                 // Now and then a ray of the same octant that is not along the axis.
@@ -56,28 +67,19 @@ struct Grid<'a> {
 }
 
 impl<'a> Grid<'a> {
-    fn new(
-        mesh: &Mesh,
-        along: usize,
-        backwards: bool,
-        across: [f32; 2],
-        random: &'a mut Random,
-    ) -> Self {
-        let axes = [along, (along + 1) % 3, (along + 2) % 3];
-        let mut dir = Vec3::ZERO;
-        dir[axes[0]] = if backwards { -1.0 } else { 1.0 };
-        (dir[axes[1]], dir[axes[2]]) = (across[0], across[1]);
-        let columns = coordinates(mesh, axes[1], random);
-        let rows = coordinates(mesh, axes[2], random);
-        let mut starts = coordinates(mesh, along, random);
-        let (first, last) = (starts[0], starts[SIDE - 1]);
+    fn new(mesh: &Mesh, side: usize, axes: [usize; 3], dir: Vec3, random: &'a mut Random) -> Self {
+        let columns = coordinates(mesh, side, axes[1], random);
+        let rows = coordinates(mesh, side, axes[2], random);
+        let mut starts = coordinates(mesh, side, axes[0], random);
+        let (first, last) = (starts[0], starts[side - 1]);
         starts.extend([first - 3.0 * (last - first), last + 3.0 * (last - first)]);
         Self { axes, dir, columns, rows, starts, random }
     }
 
     fn ray(&mut self, column: usize, row: usize) -> Ray {
         let mut origin = Vec3::ZERO;
-        let before = if self.dir[self.axes[0]] > 0.0 { SIDE } else { SIDE + 1 };
+        let side = self.columns.len();
+        let before = if self.dir[self.axes[0]] > 0.0 { side } else { side + 1 };
         // Two of three start before the mesh, the others anywhere in it or behind.
         let start = match self.random.below(3) {
             0 => self.random.below(self.starts.len() as u32) as usize,
@@ -88,7 +90,7 @@ impl<'a> Grid<'a> {
         origin[self.axes[2]] = self.rows[row];
         let mut ray = Ray::new(origin, self.dir);
         if self.random.below(8) == 0 {
-            let length = self.starts[SIDE + 1] - self.starts[SIDE];
+            let length = self.starts[side + 1] - self.starts[side];
             ray.t_max = length * self.random.next_f32();
         }
         ray
@@ -97,13 +99,13 @@ impl<'a> Grid<'a> {
 
 /// Coordinates along an axis in ascending order: of corners, which are planes of boxes; of what is
 /// just covered by the padding, or just not; and of what lies between.
-fn coordinates(mesh: &Mesh, axis: usize, random: &mut Random) -> Vec<f32> {
+fn coordinates(mesh: &Mesh, side: usize, axis: usize, random: &mut Random) -> Vec<f32> {
     let low = mesh.positions.iter().copied().fold(Vec3::INFINITY, Vec3::min);
     let high = mesh.positions.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
     let largest = low.abs().max(high.abs()).max_element();
     // The padding of a ray from among the boxes is between this and twice this.
     let pad = 16.0 * f32::EPSILON * largest;
-    let mut all: Vec<f32> = (0..SIDE)
+    let mut all: Vec<f32> = (0..side)
         .map(|number| {
             let corner = mesh.positions[random.below(mesh.positions.len() as u32) as usize][axis];
             match number % 4 {

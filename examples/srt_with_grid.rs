@@ -1,0 +1,16 @@
+//! The whole command `srt` with a structure of one's own beside the library's: `--accel grid`
+//! renders, draws heatmaps and is compared.
+//!
+//! `cargo run --release --example srt_with_grid -- compare scenes/normals.sce --accel none,bvh,grid`
+
+mod grid;
+
+use std::process::ExitCode;
+
+use srt::accel::Bvh;
+use srt::scene::Structure;
+
+fn main() -> ExitCode {
+    let grid = Structure::new::<Bvh, grid::Grid>("grid", "a uniform grid over triangles");
+    srt::cli::run_with(&[grid])
+}
