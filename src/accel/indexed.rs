@@ -55,7 +55,7 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         if let Some(order) = &built.order {
             // No part of the build: a structure is not to pay for being trusted little.
             let check = Instant::now();
-            order::assert_whole(order, primitives.count());
+            order::assert_whole(order, primitives.count(), primitives.lanes());
             check_time = check.elapsed();
             stages.time("order", || primitives.reorder(order));
         }

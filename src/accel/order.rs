@@ -3,9 +3,14 @@
 use crate::math::NONE;
 
 /// Panics unless each of `count` primitives has one slot; the message names the first that has not.
-pub(super) fn assert_whole(order: &[u32], count: u32) {
+/// Slots may be empty only where primitives are tested in several `lanes`.
+pub(super) fn assert_whole(order: &[u32], count: u32, lanes: u32) {
     if let Some(fault) = fault(order, count) {
         panic!("{fault}");
+    }
+    if let Some(slot) = order.iter().position(|&primitive| primitive == NONE).filter(|_| lanes == 1)
+    {
+        panic!("the order leaves slot {slot} empty, of primitives that are tested one by one");
     }
 }
 
@@ -38,6 +43,17 @@ fn fault(order: &[u32], count: u32) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn slots_are_empty_among_several_lanes() {
+        assert_whole(&[1, NONE, 0], 2, 4);
+    }
+
+    #[test]
+    #[should_panic(expected = "the order leaves slot 1 empty")]
+    fn no_slot_is_empty_where_there_are_no_lanes() {
+        assert_whole(&[1, NONE, 0], 2, 1);
+    }
 
     #[test]
     fn each_primitive_has_one_slot() {

@@ -40,7 +40,8 @@ pub trait Packs: Sync {
         dir: Lanes3<S::F16>,
     ) -> ScaledHit<S::F16>;
 
-    /// The primitives' own boxes, lane by lane: low and high corners.
+    /// The primitives' own boxes, lane by lane: low and high corners, the same as those of
+    /// [`Packs::bounds`]. Hits are accepted by either.
     fn boxes<S: Simd>(&self, pack: usize) -> [Lanes3<S::F8>; 2];
 
     /// Asks the caches for a pack that will be tested soon.

@@ -16,13 +16,14 @@ const ACROSS: [[f32; 2]; 6] =
 /// Grids in all six directions. Of the first half of the rays sixteen in a row have one octant and
 /// go together where a structure traces packets; in the other half the same are mixed.
 ///
-/// A grid has `side` rays, a multiple of four, along each side; there are 72 grids.
+/// A grid has `side` rays along each side; there are 36 grids.
 ///
 /// # Panics
-/// If the mesh has no vertex.
+/// If the mesh has no vertex, or `side` is no multiple of four.
 #[must_use]
 pub fn grids_over(mesh: &Mesh, side: usize, seed: u64) -> Vec<Ray> {
     assert!(!mesh.positions.is_empty(), "a mesh without a vertex");
+    assert!(side > 0 && side % BLOCK == 0, "a grid is made of blocks of four by four");
     let mut random = Random::new(&[seed]);
     let mut rays = Vec::with_capacity(2 * 6 * ACROSS.len() * side * side);
     for direction in 0..6 {
@@ -39,7 +40,7 @@ pub fn grids_over(mesh: &Mesh, side: usize, seed: u64) -> Vec<Ray> {
                     rays.push(grid.ray(column, row));
                 }
                 // Now and then a ray of the same octant that is not along the axis.
-                if block % 5 == 0 {
+                if rays.len() / BLOCK.pow(2) % 5 == 0 {
                     let last = rays.last_mut().expect("a block has rays");
                     last.dir += 0.2 * Vec3::ONE.copysign(last.dir);
                 }

@@ -7,7 +7,8 @@
 //! # The format
 //! The first line starts with `sce1.0`. Then one command a line: a keyword and its values, parted
 //! by white space; [`COMMANDS`] is the list of them. `#` and `//` begin remarks, `end` or the end of
-//! the text ends the scene; what follows `end` is passed over with a warning. Where the format leaves a choice, this is what is read here:
+//! the text ends the scene; what follows `end` is passed over with a warning. Where the format
+//! leaves a choice, this is what is read here:
 //!
 //! * A byte order mark, white space before keywords and any kind of line end are let pass.
 //! * A remark may follow a number without a space (`1.5//e`). In a line that names a file it must

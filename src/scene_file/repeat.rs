@@ -145,7 +145,8 @@ impl Block<'_> {
     }
 
     /// What is wrong if there is no memory for what it makes. Makes room for it before anything is
-    /// carried out, so that no turn asks for memory that is not there.
+    /// carried out, so that no turn asks for memory that
+    /// is not there, where the system tells.
     fn lack(&self, builder: &mut Builder) -> Option<Diagnostic> {
         let objects = self.count(&|command| matches!(command.group, Group::Object)) as usize;
         let lights = self.count(&|command| matches!(command.group, Group::Light)) as usize;

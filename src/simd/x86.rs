@@ -97,12 +97,16 @@ pub(super) struct SixteenBits(__mmask16);
 #[target_feature(enable = "avx2")]
 fn sign_bits(row: __m256) -> u32 {
     let bits: u32;
-    op!(asm!(
-        "vmovmskps {bits:e}, {row}",
-        row = in(ymm_reg) row,
-        bits = lateout(reg) bits,
-        options(pure, nomem, nostack, preserves_flags),
-    ));
+    // SAFETY: one instruction of AVX, which reads a register and writes another, and touches neither
+    // memory nor flags; the processor has it, as the head of the file says.
+    unsafe {
+        asm!(
+            "vmovmskps {bits:e}, {row}",
+            row = in(ymm_reg) row,
+            bits = lateout(reg) bits,
+            options(pure, nomem, nostack, preserves_flags),
+        );
+    }
     bits
 }
 

@@ -12,8 +12,8 @@ pub(super) const LARGEST_PRODUCT: f32 = 1e37;
 /// The product that takes the place of those beyond.
 pub(super) const CUT_PRODUCT: f32 = 1e36;
 
-/// The widths, and the parameters of hits, up to which it can. Rays that go farther are walked one
-/// by one.
+/// The widths, and the parameters of hits, up to which it serves. Rays that go farther are walked
+/// one by one.
 pub(super) const FARTHEST: f32 = 1e28;
 
 /// Four units of rounding: the fused form is off by at most three of them.
