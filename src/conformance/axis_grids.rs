@@ -23,7 +23,7 @@ const ACROSS: [[f32; 2]; 6] =
 #[must_use]
 pub fn grids_over(mesh: &Mesh, side: usize, seed: u64) -> Vec<Ray> {
     assert!(!mesh.positions.is_empty(), "a mesh without a vertex");
-    assert!(side > 0 && side % BLOCK == 0, "a grid is made of blocks of four by four");
+    assert!(side > 0 && side.is_multiple_of(BLOCK), "a grid is made of blocks of four by four");
     let mut random = Random::new(&[seed]);
     let mut rays = Vec::with_capacity(2 * 6 * ACROSS.len() * side * side);
     for direction in 0..6 {
@@ -40,7 +40,7 @@ pub fn grids_over(mesh: &Mesh, side: usize, seed: u64) -> Vec<Ray> {
                     rays.push(grid.ray(column, row));
                 }
                 // Now and then a ray of the same octant that is not along the axis.
-                if rays.len() / BLOCK.pow(2) % 5 == 0 {
+                if (rays.len() / BLOCK.pow(2)).is_multiple_of(5) {
                     let last = rays.last_mut().expect("a block has rays");
                     last.dir += 0.2 * Vec3::ONE.copysign(last.dir);
                 }
