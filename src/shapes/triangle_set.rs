@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::accel::{Bounded, PACK, Packs, Primitives, ScaledHit};
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray};
-use crate::simd::{Lanes3, Row, Simd, ones, prefetch, splat3};
+use crate::simd::{Lanes3, Row, Simd, ask_for_huge_pages, ones, prefetch, splat3};
 
 use super::triangle::scaled_hit;
 use super::{MeshError, Triangle};
@@ -393,7 +393,11 @@ fn pack(slots: usize, triangle: impl Fn(usize) -> Option<(Triangle, u32)> + Sync
         }
         pack
     };
-    (0..slots.div_ceil(PACK)).into_par_iter().map(filled).collect()
+    let count = slots.div_ceil(PACK);
+    let mut packs = Vec::with_capacity(count);
+    ask_for_huge_pages(packs.spare_capacity_mut());
+    (0..count).into_par_iter().map(filled).collect_into_vec(&mut packs);
+    packs
 }
 
 /// The mean of the vertices that the triangles use, each counted once: a file may hold others, and

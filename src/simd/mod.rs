@@ -6,6 +6,7 @@
 
 #![allow(unsafe_code, reason = "the only layer that may, block by block")]
 
+mod huge_pages;
 mod isa;
 mod lanes;
 mod pair;
@@ -15,6 +16,7 @@ mod row;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
+pub use huge_pages::ask_for_huge_pages;
 pub use isa::{Isa, IsaError, Kernel, dispatch};
 pub use lanes::{Lanes, Lanes3, cross, dot, ones, sub};
 pub use prefetch::prefetch;

@@ -10,6 +10,7 @@ use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
 
 use crate::math::{Aabb, NONE};
+use crate::simd::ask_for_huge_pages;
 
 use super::node::{Child, Node, WIDTH};
 use super::plan::{Plan, pair};
@@ -144,6 +145,7 @@ impl Wide {
         let nodes: usize = subtrees.iter().map(|subtree| subtree.below.nodes.len()).sum();
         let slots: usize = subtrees.iter().map(|subtree| subtree.below.order.len()).sum();
         self.nodes.reserve_exact(nodes);
+        ask_for_huge_pages(self.nodes.spare_capacity_mut());
         self.nodes.resize(first_node + nodes, Node::EMPTY);
         self.order.reserve_exact(slots);
         self.order.resize(first_slot + slots, NONE);
