@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use super::args::CheckArguments;
-use super::exit::{Exit, Outcome};
+use super::exit::{Exit, Failure, Outcome};
 use super::inventory;
 use super::load::{LoadError, Loaded, load};
 use super::output::print;
@@ -13,6 +13,9 @@ use super::terminal::{tell, tell_error};
 
 /// Checks every scene, also after one that is not valid; the worst decides how the command ends.
 pub(super) fn run(arguments: &CheckArguments) -> Outcome {
+    if arguments.scenes.iter().filter(|path| source::is_stdin(path)).count() > 1 {
+        return Err(Failure::new("`-` is named twice, and standard input can be read only once"));
+    }
     let mut worst = Exit::Fine;
     for path in &arguments.scenes {
         let exit = check(path, arguments.lenient)?;

@@ -17,6 +17,7 @@ use crate::accel::BuildConfig;
 use crate::compare::{self, PictureOptions, Plan, SceneInput, SweepPlan};
 use crate::image_io::{Format, encode};
 use crate::record::baseline::{Baseline, Changes};
+use crate::record::{Comparison, Dropped};
 use crate::report::terminal;
 
 /// Seconds for each scene, and for all, if nobody says how many.
@@ -50,18 +51,24 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcom
     let fine = tell_outcome(arguments, &outcome, folder.path())?;
     let compared = |baseline: &Baseline| !baseline.outcome.changes.is_empty();
     let in_vain = !outcome.comparison.baseline.as_ref().is_none_or(compared);
-    Ok(match (outcome.comparison.run.partial, fine) {
+    let partial = outcome.comparison.run.partial;
+    if in_vain && !partial {
+        tell_error(
+            "the baseline has nothing in common with this comparison: there is no class of rays \
+             that both measured with the same structure in the same scene",
+        );
+    }
+    Ok(exit(partial, fine, in_vain))
+}
+
+/// How a comparison ends: wrong answers weigh more than a baseline that was compared in vain.
+fn exit(partial: bool, fine: bool, in_vain: bool) -> Exit {
+    match (partial, fine) {
         (true, _) => Exit::Interrupted,
-        (false, _) if in_vain => {
-            tell_error(
-                "the baseline has nothing in common with this comparison: there is no class of \
-                 rays that both measured with the same structure in the same scene",
-            );
-            Exit::Trouble
-        }
-        (false, true) => Exit::Fine,
         (false, false) => Exit::Negative,
-    })
+        (false, true) if in_vain => Exit::Trouble,
+        (false, true) => Exit::Fine,
+    }
 }
 
 /// Prints the table and what changed; whether all is well.
@@ -76,18 +83,31 @@ fn tell_outcome(
         fine &= changes.regressions(*threshold).next().is_none();
         text += &terminal::write_changes(changes, *threshold);
     }
-    for scene in &outcome.comparison.scenes {
-        for entry in scene.proof.iter().flat_map(|proof| &proof.structures) {
-            if let Some(difference) = &entry.first_difference {
-                tell_error(format_args!("{}, {}: {difference}", scene.name, entry.structure));
-            }
-        }
-    }
+    differences(&outcome.comparison).iter().for_each(tell_error);
     if !arguments.quiet {
         print(&text)?;
         tell(format_args!("the report is in `{}`", folder.display()));
     }
     Ok(fine)
+}
+
+/// What differs in scenes, and who failed in a sweep, a line each.
+fn differences(comparison: &Comparison) -> Vec<String> {
+    let mut lines = Vec::new();
+    for scene in &comparison.scenes {
+        for entry in scene.proof.iter().flat_map(|proof| &proof.structures) {
+            if let Some(difference) = &entry.first_difference {
+                lines.push(format!("{}, {}: {difference}", scene.name, entry.structure));
+            }
+        }
+    }
+    for sweep in &comparison.sweeps {
+        for entry in sweep.dropped.iter().filter(|entry| entry.failed) {
+            let Dropped { structure, triangles, reason, .. } = entry;
+            lines.push(format!("{} of {triangles} triangles, {structure}: {reason}", sweep.mesh));
+        }
+    }
+    lines
 }
 
 /// Loads all scenes, each under a name of its own; `None` if one is wrong, which has been told.
@@ -220,6 +240,33 @@ mod tests {
         assert_eq!(quoted("scenes/hall.sce"), "scenes/hall.sce");
         assert_eq!(quoted("my scene's.sce"), r"'my scene'\''s.sce'");
         assert_eq!(quoted(""), "''");
+    }
+
+    #[test]
+    fn wrong_answers_weigh_more_than_a_baseline_in_vain() {
+        assert_eq!(exit(false, false, true), Exit::Negative);
+        assert_eq!(exit(false, true, true), Exit::Trouble);
+        assert_eq!(exit(false, true, false), Exit::Fine);
+        assert_eq!(exit(true, false, true), Exit::Interrupted);
+    }
+
+    #[test]
+    fn who_fails_in_a_sweep_is_told() {
+        let mut comparison = Comparison::new(crate::record::Run::default(), "none");
+        let entry = |structure: &str, failed| Dropped {
+            structure: structure.to_owned(),
+            triangles: 1_000,
+            reason: "its answers differ".to_owned(),
+            failed,
+        };
+        let sweep = crate::record::Sweep {
+            mesh: "hall".to_owned(),
+            dropped: vec![entry("slow", false), entry("wrong", true)],
+            ..Default::default()
+        };
+        comparison.sweeps.push(sweep);
+        let lines = ["hall of 1000 triangles, wrong: its answers differ"];
+        assert_eq!(differences(&comparison), lines);
     }
 
     #[test]

@@ -21,7 +21,8 @@ use crate::scene::Structure;
 The folder gets report.html, report.md, report.csv, report.json and the pictures; with\n\
 --sampling-study, sampling.csv too.\n\n\
 Exit codes: 0 all answers are equal and nothing became slower; 1 a structure failed or its answers\n\
-differ, or --baseline shows a regression; 2 trouble; 130 interrupted: what was done is written.\n\n\
+differ, or --baseline shows a regression; 2 trouble, or the baseline has nothing in common;\n\
+130 interrupted: what was done is written.\n\n\
 Examples:\n  \
 srt compare scenes/hall.sce\n  \
 srt compare scenes/*.sce --accel bvh,cwbvh --budget 60 --out results/trees\n  \
@@ -98,7 +99,7 @@ pub(crate) struct CompareArguments {
     pub(crate) out: Option<PathBuf>,
 
     /// An older report.json to compare with
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", requires = "scenes")]
     pub(crate) baseline: Option<PathBuf>,
 
     /// How much slower than the baseline is a regression, if the whole 95 % interval is beyond it

@@ -10,7 +10,8 @@ Exit codes:
   0    done; for `diff`: equal; for `check`: all scenes are valid
   1    `diff`: the pictures differ; `check`: a scene is invalid; `compare`: a structure's answers
        differ or it failed, or something became slower than the baseline
-  2    trouble: bad arguments, a scene or file that cannot be read, an output that cannot be written
+  2    trouble: bad arguments, a scene or file that cannot be read, an output that cannot be written;
+       `compare`: the baseline has nothing in common
   130  interrupted by Ctrl-C
   141  whoever read the output stopped reading";
 

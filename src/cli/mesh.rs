@@ -16,7 +16,7 @@ pub(super) fn run(arguments: &MeshArguments) -> Outcome {
     let asked = arguments.triangles;
     if made != asked as usize {
         let least = generate(arguments.kind, 1, arguments.seed).triangles.len();
-        let why = if made == least {
+        let why = if (asked as usize) < least {
             format!("asked for {asked}, the least is {least}")
         } else {
             format!("asked for {asked}, the form does not allow every number")

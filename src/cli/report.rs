@@ -6,7 +6,7 @@ use std::path::Path;
 use super::compare_args::ReportArguments;
 use super::exit::{Exit, Outcome};
 use super::output::print;
-use super::result_folder::{PictureFiles, ResultFolder, read_record};
+use super::result_folder::{PictureFiles, ResultFolder, picture_names, read_record};
 use crate::record::Comparison;
 use crate::report::terminal;
 
@@ -26,17 +26,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Outcome {
 }
 
 /// The pictures that a record names, as far as they are there: a report says which are missing.
-///
-/// A record may come from anywhere, so a name that leads out of its folder is not followed.
 fn pictures(comparison: &Comparison, folder: &Path) -> PictureFiles {
-    let of_structures = |scene: &crate::record::SceneRecord| {
-        let heatmaps = scene.structures.iter().filter_map(|structure| structure.heatmap.clone());
-        scene.picture.clone().into_iter().chain(heatmaps).collect::<Vec<_>>()
-    };
-    let named = comparison.scenes.iter().flat_map(of_structures).map(|picture| picture.file);
-    let inside = |name: &String| {
-        Path::new(name).components().all(|part| matches!(part, std::path::Component::Normal(_)))
-    };
     let read = |name: String| Some((name.clone(), fs::read(folder.join(&name)).ok()?));
-    named.filter(inside).filter_map(read).collect()
+    picture_names(comparison).into_iter().filter_map(read).collect()
 }

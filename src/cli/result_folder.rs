@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
 use super::output::Output;
+use crate::compare::{heatmap_name, picture_name};
 use crate::record::{Comparison, SceneRecord};
 use crate::report::{csv, html, json, markdown};
 
@@ -50,7 +51,7 @@ impl ResultFolder {
         comparison: &Comparison,
         pictures: &PictureFiles,
     ) -> Result<(), Failure> {
-        self.remove_stale(comparison);
+        let stale = self.stale(comparison);
         for (name, bytes) in pictures {
             self.write_file(name, bytes)?;
         }
@@ -61,19 +62,29 @@ impl ResultFolder {
             self.write_file("sampling.csv", text.as_bytes())?;
         }
         self.write_file("report.md", markdown::write(comparison).as_bytes())?;
-        self.write_file("report.html", html::write(comparison, pictures).as_bytes())
-    }
-
-    /// Removes the pictures of the report that was here before, unless the new one has pictures of
-    /// their names: they would be taken for its own. One that cannot be removed stays.
-    fn remove_stale(&self, comparison: &Comparison) {
-        let Ok(old) = read_record(&self.path.join("report.json")) else { return };
-        let new = picture_names(comparison);
-        let stale = picture_names(&old).into_iter().filter(|name| !new.contains(name));
-        // A record may come from anywhere: a name that leads out of the folder is left alone.
-        for name in stale.filter(|name| is_inside(name) && has_extension(name, "png")) {
+        self.write_file("report.html", html::write(comparison, pictures).as_bytes())?;
+        // Last, so that nothing is lost where something cannot be written. What cannot be removed
+        // stays.
+        for name in stale {
             let _ = fs::remove_file(self.path.join(name));
         }
+        Ok(())
+    }
+
+    /// The files of the report that is here now which the new one does not replace: they would be
+    /// taken for its own. A record may come from anywhere, so only names that this program gives.
+    fn stale(&self, comparison: &Comparison) -> Vec<String> {
+        let Ok(old) = read_record(&self.path.join("report.json")) else { return Vec::new() };
+        let new = picture_names(comparison);
+        // Some file systems take letters of either case for the same.
+        let is_new = |name: &String| new.iter().any(|new| new.eq_ignore_ascii_case(name));
+        let given = given_names(&old);
+        let mut stale = picture_names(&old);
+        stale.retain(|name| given.contains(name) && !is_new(name));
+        if old.sampling.is_some() && comparison.sampling.is_none() {
+            stale.push("sampling.csv".to_owned());
+        }
+        stale
     }
 
     fn write_file(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
@@ -83,20 +94,25 @@ impl ResultFolder {
 }
 
 /// The files of all pictures that a record names.
-fn picture_names(comparison: &Comparison) -> Vec<String> {
+///
+/// A record may come from anywhere: a name that leads out of its folder, or deeper, is left out.
+pub(super) fn picture_names(comparison: &Comparison) -> Vec<String> {
     let heatmaps = |scene: &SceneRecord| {
         let all = scene.structures.iter().filter_map(|own| own.heatmap.clone());
         scene.picture.clone().into_iter().chain(all).collect::<Vec<_>>()
     };
-    comparison.scenes.iter().flat_map(heatmaps).map(|picture| picture.file).collect()
+    let is_plain = |name: &String| Path::new(name).file_name() == Some(name.as_ref());
+    let files = comparison.scenes.iter().flat_map(heatmaps).map(|picture| picture.file);
+    files.filter(is_plain).collect()
 }
 
-fn is_inside(name: &str) -> bool {
-    Path::new(name).components().all(|part| matches!(part, std::path::Component::Normal(_)))
-}
-
-fn has_extension(name: &str, extension: &str) -> bool {
-    Path::new(name).extension().is_some_and(|own| own == extension)
+/// The names that a comparison gives the pictures of a record's scenes and structures.
+fn given_names(comparison: &Comparison) -> Vec<String> {
+    let of_scene = |scene: &SceneRecord| {
+        let heatmaps = scene.structures.iter().map(|own| heatmap_name(&scene.name, &own.name));
+        std::iter::once(picture_name(&scene.name)).chain(heatmaps).collect::<Vec<_>>()
+    };
+    comparison.scenes.iter().flat_map(of_scene).collect()
 }
 
 /// Reads a record from its file.

@@ -16,6 +16,13 @@ pub(crate) struct Structures(Vec<Structure>);
 impl Structures {
     /// Those of the library and some more.
     pub(crate) fn with(extra: &[Structure]) -> Result<Self, Failure> {
+        if let Some(one) = extra.iter().find(|one| !is_name(one.name)) {
+            return Err(Failure::new(format_args!(
+                "a structure cannot be called `{}`: a name is of the letters A–Z and a–z, digits, \
+                 `_` and `-`",
+                one.name
+            )));
+        }
         let mut all = [STRUCTURES, extra].concat();
         all.extend(YARDSTICKS);
         let twice =
@@ -75,6 +82,12 @@ impl Structures {
     }
 }
 
+/// Whether a name can stand between the commas of `--accel` and in the names of files.
+fn is_name(name: &str) -> bool {
+    let fits = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    !name.is_empty() && name.chars().all(fits)
+}
+
 /// Those of the library.
 impl Default for Structures {
     fn default() -> Self {
@@ -103,6 +116,18 @@ mod tests {
         assert_eq!(compare.accel.iter().map(|one| one.name).collect::<Vec<_>>(), ["none", "mine"]);
         let help = structures.command().render_long_help().to_string();
         assert!(help.contains("mine") && help.contains("one of one's own"), "{help}");
+    }
+
+    #[test]
+    fn a_name_can_be_typed_and_be_part_of_a_files() {
+        for name in ["", "a,b", "../a", "a b", "gitter-ä"] {
+            let one = Structure::new::<Exhaustive, Bvh>(name, "another");
+            let text = Structures::with(&[one]).unwrap_err().to_string();
+            assert!(
+                text.starts_with(&format!("a structure cannot be called `{name}`: ")),
+                "{text}"
+            );
+        }
     }
 
     #[test]

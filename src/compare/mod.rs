@@ -83,6 +83,7 @@ mod sweep;
 use rayon::ThreadPool;
 
 pub use observer::{Observer, Silent};
+pub(crate) use picture_steps::{heatmap_name, picture_name};
 pub use plan::{PictureOptions, Plan, SceneInput, SweepPlan};
 pub use run::{CompareError, Outcome, run};
 

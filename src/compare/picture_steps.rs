@@ -14,6 +14,16 @@ use super::{pictures, proof};
 /// The least side of a picture that proves anything.
 const LEAST_SIDE: u32 = 8;
 
+/// The file of a scene's picture.
+pub(crate) fn picture_name(scene: &str) -> String {
+    format!("{scene}.png")
+}
+
+/// The file of a structure's heatmap of a scene.
+pub(crate) fn heatmap_name(scene: &str, structure: &str) -> String {
+    format!("{scene}-heatmap-{structure}.png")
+}
+
 impl Work<'_> {
     /// View samples of the picture.
     pub(super) fn samples(&self) -> f64 {
@@ -65,7 +75,7 @@ impl Work<'_> {
         for (index, pixels) in differing {
             self.entrants[index].fail(format!("its picture differs in {pixels} pixels"));
         }
-        let file = format!("{}.png", self.input.name);
+        let file = picture_name(&self.input.name);
         self.outcome.record.picture = Some(pictures::picture_file(file.clone(), &reference));
         self.outcome.pictures.push((file, reference));
     }
@@ -131,7 +141,7 @@ impl Work<'_> {
         self.outcome.record.heat_scale = scale;
         for (index, picture) in maps {
             let entrant = &mut self.entrants[index];
-            let file = format!("{}-heatmap-{}.png", self.input.name, entrant.structure.name);
+            let file = heatmap_name(&self.input.name, entrant.structure.name);
             entrant.record.heatmap = Some(pictures::picture_file(file.clone(), &picture));
             self.outcome.pictures.push((file, picture));
         }

@@ -71,6 +71,15 @@ pub(super) fn probe_all(entrant: &mut Entrant<'_>, sets: &[RaySet]) -> Vec<Optio
     sets.iter().map(probe).collect()
 }
 
+/// How long a structure needs for all recorded rays, by what was probed; without end, if it was not.
+pub(super) fn time_of_all(times: &[Option<Duration>], sets: &[RaySet]) -> Duration {
+    let of_class = |(time, set): (&Option<Duration>, &RaySet)| {
+        time.as_ref()?.checked_mul(u32::try_from(set.rays.len()).ok()?)
+    };
+    let all = times.iter().zip(sets).map(of_class);
+    all.sum::<Option<Duration>>().unwrap_or(Duration::MAX)
+}
+
 /// What a look may take longer on the wall than of its own, at most.
 const MOST_WAITING: u64 = 4;
 

@@ -189,7 +189,7 @@ impl Work<'_> {
     }
 
     /// Compares all answers with the reference's: `none`, if it has time for a picture; else the
-    /// first structure that has, of this program if there is one.
+    /// first structure that has, of this program if there is one; else the quickest.
     fn prove_hits(&mut self, budget: Budget) {
         let fit = pictures::that_fit(
             &self.with_builds(&self.estimates(self.samples())),
@@ -201,7 +201,10 @@ impl Work<'_> {
         let unknown = |i: &usize| structure_named(self.entrants[*i].structure.name).is_none();
         let quick = || fit.iter().copied().filter(held).min_by_key(unknown);
         let is_fit = |i: &usize| held(i) && self.entrants[*i].is_fit();
-        let any = || (0..self.entrants.len()).filter(is_fit).min_by_key(unknown);
+        // Where no one has time for a picture, the quickest answers most rays.
+        let time = |i: &usize| replay::time_of_all(&self.ray_times[*i], &self.recording.sets);
+        let all = || (0..self.entrants.len()).filter(is_fit);
+        let any = || all().min_by_key(|i| (unknown(i), time(i)));
         let Some(reference) = none.or_else(quick).or_else(any) else { return };
         let classes = self.recording.sets.len().max(1) as f64;
         let lanes = 2.0 * self.entrants.len() as f64;
@@ -250,10 +253,13 @@ impl Work<'_> {
             })
         };
         let agreed = |name: &str| proof.structure(name).is_some_and(|own| own.rays_checked > 0);
+        let of_srt = |structure: &Structure| {
+            !structure.yardstick && structure_named(structure.name).is_some()
+        };
         let witness = (0..self.entrants.len())
             .filter(|&i| i != reference && self.entrants[i].is_fit() && is_quick(&i))
-            .filter(|&i| agreed(self.entrants[i].structure.name))
-            .min_by_key(|&i| structure_named(self.entrants[i].structure.name).is_none());
+            .filter(|&i| of_srt(self.entrants[i].structure))
+            .find(|&i| agreed(self.entrants[i].structure.name));
         let Some(witness) = witness else { return };
         let times = &self.ray_times;
         let expected = proof::expected(&mut self.entrants[witness], sets, &times[witness], share);

@@ -24,7 +24,7 @@ use super::entrant::Entrant;
 use super::plan::{Plan, SweepPlan};
 use super::progress::Progress;
 use super::record_rays::{Limits, RaySet, record};
-use super::replay::{probe_all, replay};
+use super::replay::{probe_all, replay, time_of_all};
 use super::scene::{Stage, base_name};
 use super::{Pools, proof};
 
@@ -109,17 +109,10 @@ fn compare_hits(
     times: &[Vec<Option<Duration>>],
     budget: Budget,
 ) -> u64 {
-    let time = |i: &usize| {
-        let rays = times[*i].iter().zip(sets);
-        let of_class = |(time, set): (&Option<Duration>, &RaySet)| {
-            Some(*time.as_ref()? * u32::try_from(set.rays.len()).ok()?)
-        };
-        rays.map(of_class).sum::<Option<Duration>>()
-    };
     let held = |i: &usize| entrants[*i].is_fit() && !entrants[*i].structure.yardstick;
     let reference = (0..entrants.len()).filter(held).min_by_key(|i| {
         let known = structure_named(entrants[*i].structure.name).is_some();
-        (!known, time(i).unwrap_or(Duration::MAX))
+        (!known, time_of_all(&times[*i], sets))
     });
     let Some(reference) = reference else { return 0 };
     let lanes = 2.0 * (entrants.len() * sets.len().max(1)) as f64;
@@ -181,7 +174,8 @@ fn note(record: &mut Sweep, entrant: &Entrant<'_>, triangles: u64) -> bool {
         }
         Status::Stopped => "the comparison was stopped".to_owned(),
     };
-    let failed = matches!(entrant.record.status, Status::Failed { .. });
+    let failed =
+        matches!(entrant.record.status, Status::Failed { .. }) && !entrant.structure.yardstick;
     record.dropped.push(Dropped { structure: name.to_owned(), triangles, reason, failed });
     false
 }

@@ -47,7 +47,7 @@ pub struct Dropped {
     pub triangles: u64,
     /// Why, in words.
     pub reason: String,
-    /// Whether it failed or its answers differed, rather than took too long.
+    /// Whether it failed or its answers differed, rather than took too long; never of a yardstick.
     #[serde(default)]
     pub failed: bool,
 }

@@ -9,8 +9,8 @@ const NAMED_SCENES: usize = 3;
 
 /// Who is how much faster than whom, at what, how sure that is, and whether the pictures are equal.
 ///
-/// It speaks of the first scene, of view rays if there were any, and of the fastest structure;
-/// without scenes, of how cost grows. If anything differs, it says that instead, because unequal
+/// It speaks of the first scene with enough rounds, of view rays if there were any, and of the
+/// fastest structure; without scenes, of how cost grows. If anything differs, it says that instead, because unequal
 /// work cannot be compared.
 #[must_use]
 pub fn verdict(comparison: &Comparison) -> String {
@@ -33,8 +33,10 @@ pub(super) fn headline(comparison: &Comparison, derived: &Derived) -> (String, O
     }
     let alone = comparison.scenes.is_empty();
     let growth = || derived.sweeps.iter().filter(|_| alone).find_map(growth);
-    let mut scenes = derived.scenes.iter().zip(&comparison.scenes);
-    let speed = scenes.find_map(|(figures, scene)| speed(figures, scene));
+    let scenes = derived.scenes.iter().zip(&comparison.scenes);
+    let speeds: Vec<_> = scenes.filter_map(|(figures, scene)| speed(figures, scene)).collect();
+    let sure = speeds.iter().find(|speed| speed.is_ok()).or(speeds.first()).cloned();
+    let speed = sure.map(|speed| speed.unwrap_or_else(|too_few| too_few));
     let speed = speed.or_else(growth).unwrap_or_else(|| {
         let nothing = "no two structures were traced beside each other";
         if derived.scenes.iter().any(|scene| scene.base.is_some()) {
@@ -44,7 +46,7 @@ pub(super) fn headline(comparison: &Comparison, derived: &Derived) -> (String, O
         }
     });
     let equality = equality(&comparison.scenes);
-    match failures(&comparison.scenes) {
+    match failures(comparison) {
         Some(failed) => (format!("{partial}{failed}"), Some(format!("{speed}; {equality}."))),
         None => (format!("{partial}{speed}"), Some(format!("{equality}."))),
     }
@@ -52,46 +54,58 @@ pub(super) fn headline(comparison: &Comparison, derived: &Derived) -> (String, O
 
 /// The structures that failed, each once, with why the first time. A yardstick that does not know
 /// a scene's shapes was not asked for more.
-fn failures(scenes: &[SceneRecord]) -> Option<String> {
-    let mut failures: Vec<(&str, &str, &str)> = Vec::new();
-    for scene in scenes {
+fn failures(comparison: &Comparison) -> Option<String> {
+    let mut failures: Vec<(&str, String, &str)> = Vec::new();
+    let mut add = |name, place, message| {
+        if failures.iter().all(|(other, ..)| *other != name) {
+            failures.push((name, place, message));
+        }
+    };
+    for scene in &comparison.scenes {
         for row in scene.structures.iter().filter(|row| !row.yardstick) {
-            let Status::Failed { message } = &row.status else { continue };
-            if failures.iter().all(|(name, ..)| *name != row.name) {
-                failures.push((&row.name, &scene.name, message));
+            if let Status::Failed { message } = &row.status {
+                add(row.name.as_str(), scene.name.clone(), message.as_str());
             }
         }
     }
-    let text = |(name, scene, message): &(&str, &str, &str)| {
-        format!("{name} FAILED in {scene}: {message}")
+    for sweep in &comparison.sweeps {
+        for entry in sweep.dropped.iter().filter(|entry| entry.failed) {
+            let triangles = numbers::count(entry.triangles);
+            let place = format!("the sweep, in {} with {triangles} triangles", sweep.mesh);
+            add(&entry.structure, place, &entry.reason);
+        }
+    }
+    let text = |(name, place, message): &(&str, String, &str)| {
+        format!("{name} FAILED in {place}: {message}")
     };
     let texts: Vec<String> = failures.iter().map(text).collect();
     (!texts.is_empty()).then(|| texts.join("; "))
 }
 
-/// The fastest structure of a scene against its base; yardsticks are not in the running.
-fn speed(scene: &SceneFigures, record: &SceneRecord) -> Option<String> {
+/// The fastest structure of a scene against its base, or that there were too few rounds to say so;
+/// yardsticks are not in the running.
+fn speed(scene: &SceneFigures, record: &SceneRecord) -> Option<Result<String, String>> {
     let base = scene.base.as_deref()?;
     let class = scene.classes().into_iter().next()?;
     let (fastest, figures) = fastest(scene, record, class)?;
     let traced = scene.structures.iter().filter(|structure| structure.class(class).is_some());
     let others = traced.count() > 1;
     let scene = &scene.scene;
+    let too_few = || Err(format!("too few rounds were made in {scene} to say which is how fast"));
     if fastest.structure == base {
-        return others.then(|| {
-            format!("no structure traces {} rays of {scene} faster than {base}", class.name())
-        });
+        let sure = figures.ns_per_ray.is_some_and(|estimate| estimate.interval.is_some());
+        let none =
+            format!("no structure traces {} rays of {scene} faster than {base}", class.name());
+        return others.then(|| if sure { Ok(none) } else { too_few() });
     }
     let speedup = figures.speedup?;
-    let Some(spread) = numbers::spread(speedup) else {
-        return Some(format!("too few rounds were made in {scene} to say which is how fast"));
-    };
-    Some(format!(
+    let Some(spread) = numbers::spread(speedup) else { return Some(too_few()) };
+    Some(Ok(format!(
         "{} traces {} rays of {scene} {}\u{a0}× (95\u{a0}%\u{a0}{spread}) as fast as {base}",
         fastest.structure,
         class.name(),
         numbers::median(speedup),
-    ))
+    )))
 }
 
 /// The fastest structure at the largest size of a sweep, and how its cost grows.

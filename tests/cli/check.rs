@@ -154,3 +154,8 @@ fn all_trouble_of_a_scene_is_told_at_once() {
     assert!(run.stderr.contains("there is no mesh file `a.obj`"), "{}", run.stderr);
     assert!(run.stderr.contains("is not a valid scene: 2 errors"), "{}", run.stderr);
 }
+
+#[test]
+fn standard_input_is_read_only_once() {
+    crate::support::refused(&["check", "-", "-"], &["`-` is named twice"]);
+}

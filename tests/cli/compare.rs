@@ -125,6 +125,8 @@ fn what_cannot_be_done_is_refused_before_the_work() {
     refused(&["compare", "--sweep", "1k..10k"], &["--mesh"]);
     refused(&["compare", "--sweep", "10k..1k", "--mesh", "hall"], &["the smaller first"]);
     refused(&["compare", "--sweep", "1k..2k", "--mesh", "hall", "--sampling-study"], &["<SCENE>"]);
+    let sweep = ["compare", "--sweep", "1k..2k", "--mesh", "hall"];
+    refused(&[&sweep[..], &["--baseline", "old.json"]].concat(), &["<SCENE>"]);
     refused(&["compare", "scene.sce", "--budget", "0"], &["seconds"]);
     refused(&["compare", "scene.sce", "--fail-above", "9%"], &["--baseline"]);
     refused(&["compare", "missing.sce", "--out", "."], &["missing.sce"]);

@@ -31,6 +31,8 @@ fn a_number_that_the_form_does_not_allow_is_told() {
     );
     let least = good_run_in(folder.path(), &["mesh", "hall", "-n", "1"]);
     assert_eq!(least.stderr, "the hall has 168 triangles: asked for 1, the least is 168\n");
+    let more = good_run_in(folder.path(), &["mesh", "icosphere", "-n", "30"]);
+    assert!(more.stderr.ends_with("asked for 30, the form does not allow every number\n"));
     let exact = good_run_in(folder.path(), &["mesh", "soup", "-n", "7"]);
     assert_eq!(exact.stderr, "");
 }

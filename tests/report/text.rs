@@ -49,6 +49,38 @@ fn the_verdict_names_what_failed_first() {
 }
 
 #[test]
+fn what_failed_in_a_sweep_is_named_and_has_a_row() {
+    let mut comparison = sample::full();
+    let sweep = &mut comparison.sweeps[0];
+    sweep.points.retain(|point| point.structure != "ball");
+    sweep.dropped[1].failed = true;
+    sweep.dropped[1].triangles = 1_000;
+    sweep.dropped[1].reason = "its answers differ: a ray".to_owned();
+    let failed = "ball FAILED in the sweep, in hall with 1.00\u{a0}k triangles: its answers \
+                  differ: a ray; bvh traces view rays of bunny";
+    assert!(verdict(&comparison).starts_with(failed), "{}", verdict(&comparison));
+    let row = "| – | ball | – | – | 0 | at 1.00\u{a0}k triangles: its answers differ: a ray |";
+    let text = markdown::write(&comparison);
+    assert!(text.contains(row), "{text}");
+    comparison.scenes.clear();
+    assert!(verdict(&comparison).starts_with("ball FAILED in the sweep"));
+}
+
+#[test]
+fn the_verdict_speaks_of_a_scene_with_enough_rounds() {
+    let mut comparison = sample::full();
+    for class in comparison.scenes[0].structures.iter_mut().flat_map(|own| &mut own.classes) {
+        class.rounds.truncate(2);
+    }
+    let text = verdict(&comparison);
+    assert!(text.contains("rays of hall"), "{text}");
+    comparison.scenes.truncate(1);
+    comparison.base = "bvh".to_owned();
+    let text = verdict(&comparison);
+    assert!(text.starts_with("too few rounds were made in bunny"), "{text}");
+}
+
+#[test]
 fn the_verdict_does_not_praise_what_is_slower() {
     let mut comparison = sample::full();
     comparison.base = "bvh".to_owned();

@@ -2,7 +2,7 @@
 
 use super::{Cell, Table};
 use crate::record::derived::{SweepCurve, SweepFigures};
-use crate::record::{RayClass, Sweep};
+use crate::record::{Dropped, RayClass, Sweep};
 use crate::report::numbers;
 
 /// Slopes, then cost a ray at each size.
@@ -24,10 +24,11 @@ fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
          constant, 1 is linear. {checked}"
     );
     let mut table = Table::new("Slopes", note, &heads);
-    let dropped = |curve: &SweepCurve| {
-        let entry = sweep.dropped.iter().find(|entry| entry.structure == curve.structure)?;
-        Some(format!("at {} triangles: {}", numbers::count(entry.triangles), entry.reason))
+    let left = |entry: &Dropped| {
+        format!("at {} triangles: {}", numbers::count(entry.triangles), entry.reason)
     };
+    let dropped =
+        |curve: &SweepCurve| sweep.dropped.iter().find(|entry| entry.structure == curve.structure);
     for curve in by_class(figures) {
         table.rows.push(vec![
             Cell::text(curve.class.name()),
@@ -35,7 +36,19 @@ fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
             Cell::of(curve.fit, |fit| format!("{:.2}", fit.slope)),
             Cell::of(curve.fit.and_then(|fit| fit.slope_error), |error| format!("{error:.2}")),
             Cell::text(curve.values.len().to_string()),
-            Cell::of(dropped(curve), |text| text),
+            Cell::of(dropped(curve), left),
+        ]);
+    }
+    // Who left before anything was timed has no curve, but a reason.
+    let timed = |entry: &Dropped| figures.curves.iter().any(|c| c.structure == entry.structure);
+    for entry in sweep.dropped.iter().filter(|entry| !timed(entry)) {
+        table.rows.push(vec![
+            Cell::nothing(),
+            Cell::text(&entry.structure),
+            Cell::nothing(),
+            Cell::nothing(),
+            Cell::text("0"),
+            Cell::text(left(entry)),
         ]);
     }
     table

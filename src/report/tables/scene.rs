@@ -24,7 +24,7 @@ pub(in crate::report) fn proof_table(proof: &Proof) -> Table {
         let reference = &proof.reference;
         table.note = format!(
             "{reference} had time for some of the rays only. {witness} agrees with it on these, and \
-             the others were held against {witness} on all rays. "
+             the others were held against {witness} on as many rays as their rows say. "
         );
     }
     if !proof.yardsticks.is_empty() {
