@@ -10,8 +10,8 @@ const NAMED_SCENES: usize = 3;
 /// Who is how much faster than whom, at what, how sure that is, and whether the pictures are equal.
 ///
 /// It speaks of the first scene with enough rounds, of view rays if there were any, and of the
-/// fastest structure; without scenes, of how cost grows. If anything differs, it says that instead, because unequal
-/// work cannot be compared.
+/// fastest structure; without scenes, of how cost grows. If anything differs, it says that instead,
+/// because unequal work cannot be compared.
 #[must_use]
 pub fn verdict(comparison: &Comparison) -> String {
     verdict_of(comparison, &Derived::of(comparison))
