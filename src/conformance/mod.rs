@@ -1,7 +1,7 @@
 //! Whether a structure keeps the contract of [`Accel`]: its answers against those of no structure
 //! at all, bit for bit, on meshes and rays that are made to tell them apart.
 //!
-//! ```
+//! ```no_run
 //! use srt::accel::Bvh;
 //!
 //! let summary = srt::conformance::check::<Bvh>().unwrap_or_else(|difference| panic!("{difference}"));
