@@ -94,6 +94,12 @@ impl SlabRay {
         Self { inv_dir, near: near * inv_dir + slack, far: far * inv_dir - slack, octant }
     }
 
+    /// The usual terms of a ray, or else those of one that hardly moves along some axes, or `None`.
+    #[inline(always)]
+    pub(super) fn any<S: Simd>(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Option<Self> {
+        Self::new::<S>(ray, box_ray, padding).or_else(|| Self::cut::<S>(ray, box_ray, padding))
+    }
+
     /// The terms of a ray that hardly moves along some axes, or `None` if it moves too little or is
     /// too far away.
     ///
@@ -154,8 +160,7 @@ pub(super) mod tests {
         fn run<S: Simd>(self) -> Self::Output {
             let Self(ray, node, padding) = self;
             let box_ray = BoxRay::new(ray, padding);
-            let slab = SlabRay::new::<S>(ray, &box_ray, padding)
-                .or_else(|| SlabRay::cut::<S>(ray, &box_ray, padding))?;
+            let slab = SlabRay::any::<S>(ray, &box_ray, padding)?;
             let (begin, end) = node.intervals::<S>(
                 near_planes(slab.octant),
                 splat3::<S::F8, 8>(slab.inv_dir.to_array()),

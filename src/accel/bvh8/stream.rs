@@ -111,8 +111,7 @@ impl<P: Primitives, A: Answer, C: Counters> Stream<'_, P, A, C> {
         let mut counts = [0; 8];
         for (place, ray) in self.rays.iter().enumerate() {
             let box_ray = BoxRay::new(ray, padding);
-            let slab = SlabRay::new::<S>(ray, &box_ray, padding)
-                .or_else(|| SlabRay::cut::<S>(ray, &box_ray, padding));
+            let slab = SlabRay::any::<S>(ray, &box_ray, padding);
             slabs.push(slab.unwrap_or(SlabRay::VACANT));
             let Some(slab) = slab else {
                 self.answers[place] = A::alone(self.tree, self.primitives, ray, self.counters);
