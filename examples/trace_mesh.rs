@@ -7,7 +7,7 @@
 
 use std::path::Path;
 
-use srt::accel::{BuildConfig, Bvh8, Indexed, Tracer};
+use srt::accel::{BuildConfig, Bvh8, ClosestHit, Indexed};
 use srt::assets::load_meshes;
 use srt::description::MeshReference;
 use srt::glam::Vec3;
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let rays: Vec<Ray> = (0..COLUMNS * ROWS).map(ray_at).collect();
     let mut hits = vec![Hit::MISS; rays.len()];
-    bvh.intersect(&rays, &mut hits, None);
+    bvh.answer(&ClosestHit, &rays, &mut hits);
 
     let shade = |hit: &Hit| {
         let depth = (hit.t - 0.5 * size.z) / size.z;

@@ -6,10 +6,10 @@
 //! # Rays into a mesh of one's own
 //!
 //! No scene is needed: [`Indexed`](accel::Indexed) puts triangles and a structure together, and
-//! [`Tracer`](accel::Tracer) takes slices of rays.
+//! [`answer`](accel::Indexed::answer) takes slices of rays.
 //!
 //! ```
-//! use srt::accel::{BuildConfig, Bvh8, Indexed, Tracer};
+//! use srt::accel::{BuildConfig, Bvh8, ClosestHit, Indexed};
 //! use srt::glam::Vec3;
 //! use srt::math::{Hit, Ray};
 //! use srt::shapes::TriangleSet;
@@ -20,7 +20,7 @@
 //!
 //! let rays = [0.2, 0.7].map(|x| Ray::new(Vec3::new(x, 0.5, 3.0), Vec3::NEG_Z));
 //! let mut hits = [Hit::MISS; 2];
-//! bvh.intersect(&rays, &mut hits, None);
+//! bvh.answer(&ClosestHit, &rays, &mut hits);
 //! assert_eq!((hits[0].t, hits[0].prim), (3.0, 0));
 //! assert!(!hits[1].is_hit());
 //! ```

@@ -6,7 +6,7 @@
 mod common;
 
 use glam::Vec3;
-use srt::accel::{BuildConfig, Tracer};
+use srt::accel::{Answers, BuildConfig, Scratch, Tracer};
 use srt::compare::{Plan, SceneInput, Silent, run};
 use srt::math::{Hit, Random, Ray};
 use srt::record::Status;
@@ -39,8 +39,8 @@ fn rays(scene: &Scene) -> Vec<Ray> {
 
 fn answers(tracer: &dyn Tracer, rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
     let (mut hits, mut blocked) = (vec![Hit::MISS; rays.len()], vec![false; rays.len()]);
-    tracer.intersect(rays, &mut hits, None);
-    tracer.occluded(rays, &mut blocked, None);
+    tracer.trace(rays, Answers::ClosestHit(&mut hits), &mut Scratch::default(), None);
+    tracer.trace(rays, Answers::AnyHit(&mut blocked), &mut Scratch::default(), None);
     (hits, blocked)
 }
 

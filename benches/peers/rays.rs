@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 use glam::Vec3;
-use srt::accel::Tracer;
+use srt::accel::{Answers, Scratch, Tracer};
 use srt::math::{Hit, Random, Ray};
 use srt::scene::Scene;
 
@@ -36,7 +36,7 @@ pub(crate) struct RaySet {
 pub(crate) fn ray_sets(scene: &Scene, tracer: &dyn Tracer, light: Vec3) -> [RaySet; 5] {
     let view = view_rays(scene);
     let mut hits = vec![Hit::MISS; view.len()];
-    tracer.intersect(&view, &mut hits, None);
+    tracer.trace(&view, Answers::ClosestHit(&mut hits), &mut Scratch::default(), None);
     let mut random = Random::new(&[1]);
     let (mut shadow, mut diffuse, mut mirror) = (vec![], vec![], vec![]);
     for (ray, hit) in view.iter().zip(&hits).filter(|(_, hit)| hit.is_hit()) {

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use srt::accel::Tracer;
+use srt::accel::{Answers, Scratch, Tracer};
 use srt::math::{Hit, Ray};
 
 use crate::rays::{Class, RaySet};
@@ -34,20 +34,27 @@ pub(crate) fn interleaved(worlds: &[&dyn Tracer], set: &RaySet, rounds: usize) -
 struct Buffers {
     hits: Vec<Hit>,
     blocked: Vec<bool>,
+    scratch: Scratch,
 }
 
 impl Default for Buffers {
     fn default() -> Self {
-        Self { hits: vec![Hit::MISS; RAYS_AT_ONCE], blocked: vec![false; RAYS_AT_ONCE] }
+        Self {
+            hits: vec![Hit::MISS; RAYS_AT_ONCE],
+            blocked: vec![false; RAYS_AT_ONCE],
+            scratch: Scratch::default(),
+        }
     }
 }
 
 fn trace(world: &dyn Tracer, set: &RaySet, buffers: &mut Buffers) {
     for rays in set.rays.chunks(RAYS_AT_ONCE) {
         if set.class == Class::Shadow {
-            world.occluded(rays, &mut buffers.blocked[..rays.len()], None);
+            let answers = Answers::AnyHit(&mut buffers.blocked[..rays.len()]);
+            world.trace(rays, answers, &mut buffers.scratch, None);
         } else {
-            world.intersect(rays, &mut buffers.hits[..rays.len()], None);
+            let answers = Answers::ClosestHit(&mut buffers.hits[..rays.len()]);
+            world.trace(rays, answers, &mut buffers.scratch, None);
         }
     }
     std::hint::black_box(buffers);
@@ -58,10 +65,10 @@ pub(crate) fn answers(world: &dyn Tracer, class: Class, rays: &[Ray]) -> (Vec<Hi
     let (mut hits, mut blocked) = (vec![], vec![]);
     if class == Class::Shadow {
         blocked.resize(rays.len(), false);
-        world.occluded(rays, &mut blocked, None);
+        world.trace(rays, Answers::AnyHit(&mut blocked), &mut Scratch::default(), None);
     } else {
         hits.resize(rays.len(), Hit::MISS);
-        world.intersect(rays, &mut hits, None);
+        world.trace(rays, Answers::ClosestHit(&mut hits), &mut Scratch::default(), None);
     }
     (hits, blocked)
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3, Vec3};
-use srt::accel::{BuildConfig, Tracer};
+use srt::accel::{Answers, BuildConfig, Scratch, Tracer};
 use srt::assets::generate::{Kind, generate};
 use srt::description::{
     Camera, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape,
@@ -64,8 +64,8 @@ impl Knot {
 
 fn answers(tracer: &(impl Tracer + ?Sized), rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
     let (mut hits, mut blocked) = (vec![Hit::MISS; rays.len()], vec![false; rays.len()]);
-    tracer.intersect(rays, &mut hits, None);
-    tracer.occluded(rays, &mut blocked, None);
+    tracer.trace(rays, Answers::ClosestHit(&mut hits), &mut Scratch::default(), None);
+    tracer.trace(rays, Answers::AnyHit(&mut blocked), &mut Scratch::default(), None);
     (hits, blocked)
 }
 

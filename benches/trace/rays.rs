@@ -1,7 +1,7 @@
 //! Rays of each class in a scene, as a renderer would send them.
 
 use glam::Vec3;
-use srt::accel::Tracer;
+use srt::accel::{Answers, Scratch, Tracer};
 use srt::math::{Hit, Random, Ray};
 use srt::scene::Scene;
 
@@ -25,7 +25,7 @@ pub(crate) fn ray_sets(scene: &Scene, tracer: &dyn Tracer, light: Vec3, count: u
     let pixel = |i: u32| camera.ray(f64::from(i % side), f64::from(i / side));
     let view: Vec<Ray> = (0..side * side).map(pixel).collect();
     let mut hits = vec![Hit::MISS; view.len()];
-    tracer.intersect(&view, &mut hits, None);
+    tracer.trace(&view, Answers::ClosestHit(&mut hits), &mut Scratch::default(), None);
     let mut random = Random::new(&[1]);
     let (mut shadow, mut mirror, mut diffuse) = (vec![], vec![], vec![]);
     for (ray, hit) in view.iter().zip(&hits).filter(|(_, hit)| hit.is_hit()) {

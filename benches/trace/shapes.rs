@@ -6,9 +6,8 @@ use std::path::Path;
 
 use criterion::{Criterion, Throughput};
 use glam::Vec3;
-use srt::accel::{BuildConfig, Exhaustive, Indexed};
+use srt::accel::{Answers, BuildConfig, Exhaustive, Indexed, Scratch};
 use srt::assets::load_meshes;
-use srt::counters::NoCounters;
 use srt::math::{Hit, Random, Ray};
 use srt::scene::{Scene, structure_named};
 use srt::scene_file::{ParseOptions, parse};
@@ -35,7 +34,7 @@ pub(crate) fn group(criterion: &mut Criterion, rows: &mut Vec<Row>) {
     let on_cylinder = |ray: &Ray| Cylinder::crossing(ray).and_then(|c| ahead(c.map(|(t, _)| t)));
     let on_triangle = |ray: &Ray| triangle.intersect(ray).map(|(t, ..)| t);
     let on_pack = |ray: &Ray| {
-        let hit = pack.closest(ray, &mut NoCounters);
+        let hit = pack.hit(ray);
         hit.is_hit().then_some(hit.t)
     };
     let triangles: String = four
@@ -86,7 +85,8 @@ fn check(shape: &str, rays: &[Ray], hit: impl Fn(&Ray) -> Option<f32>) {
     let scene = Scene::new(&parsed.description, meshes).expect("the scene can be traced");
     let none = structure_named("none").expect("none is a structure");
     let mut hits = vec![Hit::MISS; rays.len()];
-    none.build(&scene, &BuildConfig::default()).intersect(rays, &mut hits, None);
+    let world = none.build(&scene, &BuildConfig::default());
+    world.trace(rays, Answers::ClosestHit(&mut hits), &mut Scratch::default(), None);
     for (ray, expected) in rays.iter().zip(&hits) {
         let expected = expected.is_hit().then_some(expected.t);
         assert_eq!(hit(ray), expected, "{shape}: the hits differ from those of `none`");

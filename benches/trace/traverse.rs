@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use criterion::{Bencher, BenchmarkId, Criterion, Throughput};
-use srt::accel::BuildConfig;
+use srt::accel::{Answers, BuildConfig, Scratch};
 use srt::math::Hit;
 use srt::scene::STRUCTURES;
 
@@ -27,15 +27,16 @@ pub(crate) fn group(criterion: &mut Criterion, knots: &[Knot], rows: &mut Vec<Ro
                 group.throughput(Throughput::Elements(rays.len() as u64));
                 let mut hits = vec![Hit::MISS; rays.len()];
                 let mut blocked = vec![false; rays.len()];
-                let closest =
-                    |b: &mut Bencher<'_>| b.iter(|| world.intersect(&rays, &mut hits, None));
-                let any =
-                    |b: &mut Bencher<'_>| b.iter(|| world.occluded(&rays, &mut blocked, None));
-                if set.is_shadow() {
-                    group.bench_function(id, any)
-                } else {
-                    group.bench_function(id, closest)
-                };
+                let mut scratch = Scratch::default();
+                group.bench_function(id, |b: &mut Bencher<'_>| {
+                    b.iter(|| {
+                        let answers = match set.is_shadow() {
+                            true => Answers::AnyHit(&mut blocked),
+                            false => Answers::ClosestHit(&mut hits),
+                        };
+                        world.trace(&rays, answers, &mut scratch, None);
+                    });
+                });
                 let (triangles, count) = (Some(knot.triangles), rays.len() as u64);
                 rows.push(Row::new("traverse", &name, triangles, count, "rays"));
             }

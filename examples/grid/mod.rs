@@ -2,7 +2,7 @@
 
 use std::ops::{ControlFlow, Range};
 
-use srt::accel::{Accel, Bounded, BuildConfig, Built, StructureShape, Tree};
+use srt::accel::{Accel, Bounded, Build, Built, Tree};
 use srt::counters::Counters;
 use srt::math::{Aabb, BoxRay, Ray};
 
@@ -13,7 +13,7 @@ pub(crate) struct Grid {
 }
 
 impl Accel for Grid {
-    fn build(primitives: &impl Bounded, _: &BuildConfig) -> Built<Self> {
+    fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
         // About as many cells as there are primitives in each.
         let side = f64::from(primitives.count()).powf(1.0 / 6.0).ceil() as f32;
         let all = primitives.total_bounds();
@@ -54,17 +54,14 @@ impl Accel for Grid {
         }
     }
 
-    fn shape(&self) -> StructureShape {
-        let mut shape = StructureShape { nodes: 1, ..StructureShape::default() };
-        self.cells.iter().for_each(|(_, slots)| shape.add_leaf(slots.len() as u32, 1));
-        shape.bytes = size_of_val(&self.cells[..]) as u64;
-        shape
+    fn bytes(&self) -> u64 {
+        size_of_val(&self.cells[..]) as u64
     }
 
-    /// The grid as a tree of two levels, so that its end-point overlap is measured too.
+    /// The grid as a tree of two levels: for statistics.
     fn tree(&self) -> Option<Tree> {
-        let root = (Aabb::EMPTY, 0..0);
-        Some(Tree::of((root, &self.cells[..]), |(node, below), children| {
+        let all = self.cells.iter().fold(Aabb::EMPTY, |all, (bounds, _)| all.union(*bounds));
+        Some(Tree::of(((all, 0..0), &self.cells[..]), |(node, below), children| {
             children.extend(below.iter().map(|cell| (cell.clone(), &self.cells[..0])));
             node.clone()
         }))

@@ -12,7 +12,7 @@ use glam::{DVec3, Vec3};
 use crate::counters::Counters;
 use crate::math::{BoxRay, Ray};
 
-use super::{Accel, Bounded, BuildConfig, Built, StructureShape};
+use super::{Accel, Bounded, Build, Built, StructureShape};
 
 /// Below this length of a direction `t` can leave the range of floats; such rays skip nothing.
 const SHORTEST_DIR: f64 = 1e-30;
@@ -26,7 +26,7 @@ pub struct BoundingBall {
 }
 
 impl Accel for BoundingBall {
-    fn build(primitives: &impl Bounded, _: &BuildConfig) -> Built<Self> {
+    fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
         let center = Vec3::from(primitives.mean_point()).as_dvec3();
         let distance = |p: Vec3| p.as_dvec3().distance_squared(center);
         let radius_squared = (0..primitives.count())
@@ -51,10 +51,14 @@ impl Accel for BoundingBall {
         }
     }
 
+    fn bytes(&self) -> u64 {
+        size_of::<Self>() as u64
+    }
+
     fn shape(&self) -> StructureShape {
-        let mut shape = StructureShape { nodes: 1, ..StructureShape::default() };
+        let mut shape =
+            StructureShape { nodes: 1, bytes: self.bytes(), ..StructureShape::default() };
         shape.add_leaf(self.count, 1);
-        shape.bytes = size_of::<Self>() as u64;
         shape
     }
 }

@@ -15,9 +15,11 @@ use obvhs::bvh2::{Bvh2, node::Bvh2Node};
 use smallvec::SmallVec;
 
 use crate::counters::Counters;
+use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
-use super::{Accel, Bounded, BuildConfig, Built, StructureShape, Tree, obvhs_boxes};
+use super::build::obvhs_boxes;
+use super::{Accel, Bounded, Build, Built, Tree};
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
 const USUAL_DEPTH: usize = 32;
@@ -49,15 +51,15 @@ struct Child {
 }
 
 impl Accel for Bvh {
-    fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self> {
+    fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         if primitives.count() == 0 {
             return Built { accel: Self { nodes: Vec::new(), root: None }, order: None };
         }
-        let mut parameters = config.quality.parameters();
-        parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(config.max_leaf);
+        let mut parameters = build.config.quality.parameters();
+        parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(build.config.max_leaf);
         let boxes = obvhs_boxes(primitives);
         let tree = build_bvh2(&boxes, parameters, &mut std::time::Duration::default());
-        lay_out(&tree, primitives.lanes())
+        lay_out(&tree, build.grain)
     }
 
     #[inline]
@@ -108,28 +110,8 @@ impl Accel for Bvh {
         }
     }
 
-    fn shape(&self) -> StructureShape {
-        let mut shape = StructureShape::default();
-        // A node, its depth, and the share of the rays that meet it: by its area in the root's.
-        let mut open: Vec<_> = self.root.iter().map(|&root| (root, 0, 1.0)).collect();
-        let root_area = self.nodes.first().map_or(0.0, |node| node.bounds().half_area());
-        let mut cost = 0.0;
-        while let Some((child, depth, met)) = open.pop() {
-            if child.count > 0 {
-                shape.add_leaf(child.count, depth);
-                cost += met * f64::from(child.count);
-                continue;
-            }
-            shape.nodes += 1;
-            cost += met * 2.0;
-            let node = &self.nodes[child.first as usize];
-            for (side, &child) in node.children.iter().enumerate() {
-                open.push((child, depth + 1, node.child_bounds(side).half_area() / root_area));
-            }
-        }
-        shape.sah_cost = cost.is_finite().then_some(cost);
-        shape.bytes = (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()) as u64;
-        shape
+    fn bytes(&self) -> u64 {
+        (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()) as u64
     }
 
     fn tree(&self) -> Option<Tree> {
@@ -180,7 +162,7 @@ impl PairRay {
     #[inline(always)]
     fn intervals(&self, node: &Node) -> (Vec4, Vec4) {
         let [x, y, z]: [(Vec4, Vec4); 3] = std::array::from_fn(|axis| {
-            let t = (node.planes[axis] - self.origins[axis]) * self.inv_dir[axis];
+            let t = crossing(node.planes[axis], self.origins[axis], self.inv_dir[axis]);
             let swapped = t.zwxy();
             (t.min(swapped), t.max(swapped))
         });
@@ -189,8 +171,8 @@ impl PairRay {
 }
 
 /// Pairs the boxes of siblings, in the order in which a walk meets them, and moves every leaf's
-/// range to a multiple of `lanes`.
-fn lay_out(tree: &Bvh2, lanes: u32) -> Built<Bvh> {
+/// range to a multiple of `grain`.
+fn lay_out(tree: &Bvh2, grain: u32) -> Built<Bvh> {
     let mut nodes = Vec::with_capacity(tree.nodes.len() / 2);
     let mut order = Vec::with_capacity(tree.primitive_indices.len());
     let mut root = Child::default();
@@ -198,7 +180,7 @@ fn lay_out(tree: &Bvh2, lanes: u32) -> Built<Bvh> {
     let mut open: Vec<(&Bvh2Node, Option<(usize, usize)>)> = vec![(&tree.nodes[0], None)];
     while let Some((from, parent)) = open.pop() {
         let child = if from.is_leaf() {
-            order.resize(order.len().next_multiple_of(lanes as usize), NONE);
+            order.resize(order.len().next_multiple_of(grain as usize), NONE);
             let child = Child { first: order.len() as u32, count: from.prim_count };
             let range = from.first_index as usize..(from.first_index + from.prim_count) as usize;
             order.extend_from_slice(&tree.primitive_indices[range]);

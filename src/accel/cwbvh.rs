@@ -14,10 +14,11 @@ use obvhs::cwbvh::node::CwBvhNode;
 use smallvec::SmallVec;
 
 use crate::counters::Counters;
-use crate::math::{Aabb, BoxRay, Ray};
-use crate::simd::ones;
+use crate::math::slab::crossing;
+use crate::math::{Aabb, BoxRay, Ray, ones};
 
-use super::{Accel, Bounded, BuildConfig, Built, StructureShape, Tree, obvhs_boxes};
+use super::build::obvhs_boxes;
+use super::{Accel, Bounded, Build, Built, Tree};
 
 const WIDTH: usize = 8;
 
@@ -31,12 +32,12 @@ pub struct CompressedWideBvh {
 }
 
 impl Accel for CompressedWideBvh {
-    fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self> {
+    fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         if primitives.count() == 0 {
             return Built { accel: Self { nodes: Vec::new() }, order: Some(Vec::new()) };
         }
-        let mut parameters = config.quality.parameters();
-        parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(config.max_leaf);
+        let mut parameters = build.config.quality.parameters();
+        parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(build.config.max_leaf);
         let boxes = obvhs_boxes(primitives);
         let tree = build_cwbvh(&boxes, parameters, &mut std::time::Duration::default());
         let mut nodes = tree.nodes;
@@ -89,30 +90,8 @@ impl Accel for CompressedWideBvh {
         }
     }
 
-    fn shape(&self) -> StructureShape {
-        let mut shape = StructureShape::default();
-        // A node, its depth, and the share of the rays that meet it: by its area in the root's.
-        let mut open = if self.nodes.is_empty() { vec![] } else { vec![(0, 0, 1.0)] };
-        let root_area = self.nodes.first().map_or(0.0, |node| half_area(&node.aabb()));
-        let mut cost = 0.0;
-        while let Some((index, depth, met)) = open.pop() {
-            let node: &CwBvhNode = &self.nodes[index as usize];
-            shape.nodes += 1;
-            for child in (0..WIDTH).filter(|&child| !node.is_child_empty(child)) {
-                cost += met;
-                let meets_child = half_area(&node.child_aabb(child)) / root_area;
-                if node.is_leaf(child) {
-                    let count = node.child_primitives(child).1;
-                    shape.add_leaf(count, depth + 1);
-                    cost += meets_child * f64::from(count);
-                } else {
-                    open.push((node.child_node_index(child), depth + 1, meets_child));
-                }
-            }
-        }
-        shape.sah_cost = cost.is_finite().then_some(cost);
-        shape.bytes = (size_of::<Self>() + self.nodes.capacity() * size_of::<CwBvhNode>()) as u64;
-        shape
+    fn bytes(&self) -> u64 {
+        (size_of::<Self>() + self.nodes.capacity() * size_of::<CwBvhNode>()) as u64
     }
 
     fn tree(&self) -> Option<Tree> {
@@ -145,11 +124,6 @@ enum Child {
 /// One of obvhs's boxes as one of this project's.
 fn own_box(bounds: &obvhs::aabb::Aabb) -> Aabb {
     Aabb { min: bounds.min, max: bounds.max }
-}
-
-/// [`Aabb::half_area`] of one of obvhs's boxes.
-fn half_area(bounds: &obvhs::aabb::Aabb) -> f64 {
-    own_box(bounds).half_area()
 }
 
 /// What a node's children are to a ray.
@@ -206,7 +180,8 @@ impl GridRay {
                 let (enter, leave) = if self.negative[axis] { (max, min) } else { (min, max) };
                 let plane = |bytes: &[u8; WIDTH], origin: f32| {
                     let position = four_floats(bytes, half) * cell[axis] + corner[axis];
-                    (position - origin) * self.inv_dir[axis]
+                    let inv_dir = Vec4::splat(self.inv_dir[axis]);
+                    crossing(position, Vec4::splat(origin), inv_dir)
                 };
                 near = near.max(plane(enter, self.near_origin[axis]));
                 far = far.min(plane(leave, self.far_origin[axis]));

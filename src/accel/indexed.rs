@@ -6,16 +6,16 @@ use crate::counters::{Counters, Counts, NoCounters};
 use crate::math::{Hit, Ray};
 
 use super::{
-    Accel, BuildConfig, BuildStages, Primitives, StructureShape, Tracer, Tree, blocked, closest,
-    order,
+    Accel, Answers, AnyHit, Build, BuildConfig, BuildStages, ClosestHit, Packs, Primitives, Query,
+    Scratch, StructureShape, Tracer, Tree, order, search_one,
 };
 
 /// Primitives, in the order of their structure.
 ///
-/// This is all that rays need, without any scene: [`Tracer`] takes them in slices.
+/// This is all that rays need, without any scene.
 ///
 /// ```
-/// use srt::accel::{BuildConfig, Bvh, Indexed, Tracer};
+/// use srt::accel::{AnyHit, BuildConfig, Bvh, ClosestHit, Indexed};
 /// use srt::glam::Vec3;
 /// use srt::math::{Hit, Ray};
 /// use srt::shapes::TriangleSet;
@@ -25,11 +25,15 @@ use super::{
 /// let square = TriangleSet::new(&positions, &[[0, 1, 2], [0, 2, 3]]);
 /// let bvh: Indexed<_, Bvh> = Indexed::build(square, &BuildConfig::default());
 ///
-/// let rays = [Ray::new(Vec3::new(0.25, 0.75, 2.0), Vec3::NEG_Z)];
-/// let (mut hits, mut blocked) = ([Hit::MISS], [false]);
-/// bvh.intersect(&rays, &mut hits, None);
-/// bvh.occluded(&rays, &mut blocked, None);
-/// assert_eq!((hits[0].t, hits[0].prim, blocked[0]), (2.0, 1, true));
+/// let ray = Ray::new(Vec3::new(0.25, 0.75, 2.0), Vec3::NEG_Z);
+/// assert_eq!((bvh.hit(&ray).prim, bvh.occluded(&ray)), (1, true));
+///
+/// // Many rays in one slice are the fastest.
+/// let rays = [ray; 100];
+/// let (mut hits, mut blocked) = ([Hit::MISS; 100], [false; 100]);
+/// bvh.answer(&ClosestHit, &rays, &mut hits);
+/// bvh.answer(&AnyHit, &rays, &mut blocked);
+/// assert_eq!((hits[99].t, blocked[99]), (2.0, true));
 /// ```
 #[derive(Clone, Debug)]
 pub struct Indexed<P, A> {
@@ -50,12 +54,16 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     pub fn build(mut primitives: P, config: &BuildConfig) -> Self {
         let start = Instant::now();
         let mut stages = BuildStages::default();
-        let built = A::build_in_stages(&primitives, config, &mut stages);
+        let grain = <P::Packs as Packs>::GRAIN;
+        let built = A::build(&primitives, &mut Build { config, grain, stages: &mut stages });
+        if stages.iter().next().is_none() {
+            stages.add("structure", start.elapsed());
+        }
         let mut check_time = Duration::ZERO;
         if let Some(order) = &built.order {
             // No part of the build: a structure is not to pay for being trusted little.
             let check = Instant::now();
-            order::assert_whole(order, primitives.count(), primitives.lanes());
+            order::assert_whole(order, primitives.count(), grain);
             check_time = check.elapsed();
             stages.time("order", || primitives.reorder(order));
         }
@@ -99,50 +107,86 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         self.accel.tree()
     }
 
-    /// The first hit in the order `(t, object, prim)` with `ray.t_min ≤ t ≤ ray.t_max`, or
-    /// [`Hit::MISS`].
+    /// The first hit of a ray in the order `(t, object, prim)`, or [`Hit::MISS`].
     #[inline]
-    pub fn closest<C: Counters>(&self, ray: &Ray, counters: &mut C) -> Hit {
-        closest(&self.accel, &self.primitives, ray, counters)
+    #[must_use]
+    pub fn hit(&self, ray: &Ray) -> Hit {
+        self.search_one(&ClosestHit, ray, &mut NoCounters)
     }
 
-    /// Whether there is any hit with `ray.t_min ≤ t ≤ ray.t_max`.
+    /// Whether a ray hits anything.
     #[inline]
-    pub fn blocked<C: Counters>(&self, ray: &Ray, counters: &mut C) -> bool {
-        blocked(&self.accel, &self.primitives, ray, counters)
+    #[must_use]
+    pub fn occluded(&self, ray: &Ray) -> bool {
+        self.search_one(&AnyHit, ray, &mut NoCounters)
     }
 
-    /// [`Indexed::closest`] of many rays.
+    /// Answers a query for many rays, without counting, with the thread's own memory.
     ///
     /// # Panics
     /// If the slices differ in length.
-    pub fn intersect_many<C: Counters>(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut C) {
-        assert_eq!(rays.len(), hits.len(), "a hit for each ray");
-        self.accel.intersect_many(&self.primitives, rays, hits, counters);
+    pub fn answer<Q: Query>(&self, query: &Q, rays: &[Ray], answers: &mut [Q::Answer]) {
+        Scratch::of_thread(|scratch| self.search(query, rays, answers, scratch, &mut NoCounters));
     }
 
-    /// [`Indexed::blocked`] of many rays.
+    /// Answers a query for one ray.
+    #[inline]
+    pub fn search_one<Q: Query, C: Counters>(
+        &self,
+        query: &Q,
+        ray: &Ray,
+        counters: &mut C,
+    ) -> Q::Answer {
+        search_one(&self.accel, query, &self.primitives, ray, counters)
+    }
+
+    /// Answers a query for many rays.
     ///
     /// # Panics
     /// If the slices differ in length.
-    pub fn occluded_many<C: Counters>(&self, rays: &[Ray], answers: &mut [bool], counters: &mut C) {
+    pub fn search<Q: Query, C: Counters>(
+        &self,
+        query: &Q,
+        rays: &[Ray],
+        answers: &mut [Q::Answer],
+        scratch: &mut Scratch,
+        counters: &mut C,
+    ) {
         assert_eq!(rays.len(), answers.len(), "an answer for each ray");
-        self.accel.occluded_many(&self.primitives, rays, answers, counters);
+        self.accel.search(query, &self.primitives, rays, answers, scratch, counters);
+    }
+
+    /// [`search`](Self::search), compiled with counters and without.
+    fn search_counted<Q: Query>(
+        &self,
+        query: &Q,
+        rays: &[Ray],
+        answers: &mut [Q::Answer],
+        scratch: &mut Scratch,
+        counts: Option<&mut Counts>,
+    ) {
+        match counts {
+            Some(counts) => self.search(query, rays, answers, scratch, counts),
+            None => self.search(query, rays, answers, scratch, &mut NoCounters),
+        }
     }
 }
 
 impl<P: Primitives, A: Accel> Tracer for Indexed<P, A> {
-    fn intersect(&self, rays: &[Ray], hits: &mut [Hit], counts: Option<&mut Counts>) {
-        match counts {
-            Some(counts) => self.intersect_many(rays, hits, counts),
-            None => self.intersect_many(rays, hits, &mut NoCounters),
-        }
-    }
-
-    fn occluded(&self, rays: &[Ray], blocked: &mut [bool], counts: Option<&mut Counts>) {
-        match counts {
-            Some(counts) => self.occluded_many(rays, blocked, counts),
-            None => self.occluded_many(rays, blocked, &mut NoCounters),
+    fn trace(
+        &self,
+        rays: &[Ray],
+        answers: Answers<'_>,
+        scratch: &mut Scratch,
+        counts: Option<&mut Counts>,
+    ) {
+        match answers {
+            Answers::ClosestHit(hits) => {
+                self.search_counted(&ClosestHit, rays, hits, scratch, counts);
+            }
+            Answers::AnyHit(blocked) => {
+                self.search_counted(&AnyHit, rays, blocked, scratch, counts);
+            }
         }
     }
 }

@@ -13,6 +13,7 @@
 //! | `bvh8/` | a binary tree collapsed to eight children, many rays at once |
 
 mod ball;
+mod build;
 mod bvh;
 mod bvh8;
 mod config;
@@ -21,6 +22,8 @@ mod indexed;
 mod none;
 mod order;
 mod packs;
+mod query;
+mod scratch;
 mod shape;
 mod stages;
 mod tree;
@@ -28,19 +31,21 @@ mod tree;
 use std::ops::{ControlFlow, Range};
 
 use glam::Vec3A;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::counters::{Counters, Counts};
-use crate::math::{Aabb, BoxRay, Hit, Padding, Ray};
+use crate::math::{Aabb, BoxRay, Padding, Ray};
 
 pub use ball::BoundingBall;
+pub use build::{Build, Built};
 pub use bvh::Bvh;
 pub use bvh8::Bvh8;
 pub use config::{BuildConfig, Quality};
 pub use cwbvh::CompressedWideBvh;
 pub use indexed::Indexed;
 pub use none::Exhaustive;
-pub use packs::{NoPacks, PACK, Packs, ScaledHit};
+pub use packs::{NoPacks, PACK, PackHits, Packs};
+pub use query::{AllHits, Answers, AnyHit, ClosestHit, Filtered, Query, Search};
+pub use scratch::Scratch;
 pub use shape::{LeafHistogram, StructureShape};
 pub use stages::BuildStages;
 pub use tree::{Tree, TreeNode};
@@ -53,11 +58,6 @@ pub trait Bounded: Sync {
     fn bounds(&self, index: u32) -> Aabb;
     /// The mean of the points that define them; for triangles, of the mesh's vertices.
     fn mean_point(&self) -> Vec3A;
-
-    /// How many slots are tested at once: ranges that begin at a multiple of it are the cheapest.
-    fn lanes(&self) -> u32 {
-        1
-    }
 
     /// The box around all.
     fn total_bounds(&self) -> Aabb {
@@ -79,17 +79,7 @@ pub trait Bounded: Sync {
 /// the contract returns the same hits as [`Exhaustive`].
 pub trait Accel: Sized + Send + Sync {
     /// Builds the index. `primitives` may be empty.
-    fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self>;
-
-    /// [`Accel::build`], with the time of each of its stages noted. A structure that tells none
-    /// apart is built in one.
-    fn build_in_stages(
-        primitives: &impl Bounded,
-        config: &BuildConfig,
-        stages: &mut BuildStages,
-    ) -> Built<Self> {
-        stages.time("structure", || Self::build(primitives, config))
-    }
+    fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self>;
 
     /// Offers ranges of slots that the ray may hit, near ones first where it can.
     ///
@@ -104,89 +94,56 @@ pub trait Accel: Sized + Send + Sync {
         leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
     );
 
-    /// The closest hits of many rays. A structure that has nothing better walks them one by one.
-    fn intersect_many<P: Primitives, C: Counters>(
+    /// Answers a query for many rays. A structure that has nothing better walks them one by one.
+    fn search<P: Primitives, Q: Query, C: Counters>(
         &self,
+        query: &Q,
         primitives: &P,
         rays: &[Ray],
-        hits: &mut [Hit],
+        answers: &mut [Q::Answer],
+        scratch: &mut Scratch,
         counters: &mut C,
     ) {
-        for (ray, hit) in rays.iter().zip(hits) {
-            *hit = closest(self, primitives, ray, counters);
-        }
-    }
-
-    /// Whether each of many rays hits anything.
-    fn occluded_many<P: Primitives, C: Counters>(
-        &self,
-        primitives: &P,
-        rays: &[Ray],
-        answers: &mut [bool],
-        counters: &mut C,
-    ) {
+        let _ = scratch;
         for (ray, answer) in rays.iter().zip(answers) {
-            *answer = blocked(self, primitives, ray, counters);
+            *answer = search_one(self, query, primitives, ray, counters);
         }
     }
 
-    /// Nodes, leaves, depth and bytes.
-    fn shape(&self) -> StructureShape;
+    /// Bytes of the index itself, without the primitives.
+    fn bytes(&self) -> u64;
 
     /// All nodes with their boxes, for measures of quality ([`Tree::of`] walks a structure); `None`
     /// where there is no tree.
     fn tree(&self) -> Option<Tree> {
         None
     }
+
+    /// Nodes, leaves, depth and bytes: by default those of its tree.
+    fn shape(&self) -> StructureShape {
+        StructureShape::of_tree(self.tree().as_ref(), self.bytes())
+    }
 }
 
-/// The first hit of a ray in the order `(t, object, prim)`, or [`Hit::MISS`].
+/// Answers a query for one ray.
 #[inline]
-fn closest<A: Accel, P: Primitives, C: Counters>(
+fn search_one<A: Accel, P: Primitives, Q: Query, C: Counters>(
     accel: &A,
+    query: &Q,
     primitives: &P,
     ray: &Ray,
     counters: &mut C,
-) -> Hit {
+) -> Q::Answer {
     let box_ray = BoxRay::new(ray, primitives.padding());
-    let mut best = Hit::none_before(ray.t_max);
+    let mut answer = query.start(ray);
     accel.traverse(ray, &box_ray, counters, |slots, counters| {
-        primitives.intersect(slots, ray, &box_ray, &mut best, counters);
-        ControlFlow::Continue(best.t)
+        primitives.test(query, slots, ray, &box_ray, &mut answer, counters);
+        let end = query.end(ray, &answer);
+        let is_over = Q::SEARCH == Search::First && end == f32::NEG_INFINITY;
+        if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(end) }
     });
-    if best.is_hit() { best } else { Hit::MISS }
-}
-
-/// Whether a ray has any hit.
-#[inline]
-fn blocked<A: Accel, P: Primitives, C: Counters>(
-    accel: &A,
-    primitives: &P,
-    ray: &Ray,
-    counters: &mut C,
-) -> bool {
-    let box_ray = BoxRay::new(ray, primitives.padding());
-    let mut blocked = false;
-    accel.traverse(ray, &box_ray, counters, |slots, counters| {
-        blocked = primitives.occluded(slots, ray, &box_ray, counters);
-        if blocked { ControlFlow::Break(()) } else { ControlFlow::Continue(ray.t_max) }
-    });
-    blocked
-}
-
-/// What a build returns.
-#[derive(Debug)]
-pub struct Built<A> {
-    /// The structure.
-    pub accel: A,
-    /// Slot → primitive index, where the structure wants an order of its own;
-    /// [`NONE`](crate::math::NONE) for a slot that stays empty, which is for primitives that are tested
-    /// several at once ([`Bounded::lanes`]): others close ranks.
-    ///
-    /// Each primitive has exactly one slot: [`Indexed::build`] panics otherwise, with a message as
-    /// `the order names primitive 17 twice and 4 never`. A primitive that several leaves want is
-    /// offered several times from its one slot.
-    pub order: Option<Vec<u32>>,
+    query.finish(&mut answer);
+    answer
 }
 
 /// Primitives in slot order, with the formula that all structures share.
@@ -195,7 +152,7 @@ pub trait Primitives: Bounded + Send + Sync {
     type Packs: Packs;
 
     /// Themselves in packs of eight, if they are that.
-    fn packs(&self) -> Option<&Self::Packs>;
+    fn packs(&self) -> &Self::Packs;
 
     /// The padding that every box test of these primitives uses.
     fn padding(&self) -> Padding;
@@ -204,86 +161,53 @@ pub trait Primitives: Bounded + Send + Sync {
     /// stays empty. Hits go on to speak of ids: the indices before any reordering.
     fn reorder(&mut self, order: &[u32]);
 
-    /// Replaces `best` by the first hit in the order `(t, object, prim)` among some slots and
-    /// itself. Hits count for `ray.t_min ≤ t ≤ best.t` within their primitive's own box.
-    fn intersect<C: Counters>(
+    /// Records in `answer` what some slots have for a ray that has not ended: every hit that counts,
+    /// or enough of them to make the answer whole. `box_ray` is the ray with the padding of the
+    /// primitives.
+    fn test<Q: Query, C: Counters>(
         &self,
+        query: &Q,
         slots: Range<u32>,
         ray: &Ray,
         box_ray: &BoxRay,
-        best: &mut Hit,
+        answer: &mut Q::Answer,
         counters: &mut C,
     );
 
-    /// Whether any of some slots has a hit that counts, with `ray.t_min ≤ t ≤ ray.t_max`.
-    fn occluded<C: Counters>(
+    /// [`test`](Self::test) for those of a slice of rays whose places are in `which`, each with its
+    /// answer so far in `answers`.
+    fn test_stream<Q: Query, C: Counters>(
         &self,
+        query: &Q,
         slots: Range<u32>,
-        ray: &Ray,
-        box_ray: &BoxRay,
-        counters: &mut C,
-    ) -> bool;
-
-    /// [`intersect`](Self::intersect) of those of a slice of rays whose places are in `which`, with
-    /// the best hit of each in `best`.
-    fn intersect_stream<C: Counters>(
-        &self,
-        slots: Range<u32>,
-        rays: &[Ray],
-        which: &[u32],
-        best: &mut [Hit],
+        (rays, which): (&[Ray], &[u32]),
+        answers: &mut [Q::Answer],
+        scratch: &mut Scratch,
         counters: &mut C,
     ) {
+        let _ = scratch;
         for &place in which {
-            let (ray, best) = (&rays[place as usize], &mut best[place as usize]);
+            let (ray, answer) = (&rays[place as usize], &mut answers[place as usize]);
             let box_ray = BoxRay::new(ray, self.padding());
-            self.intersect(slots.clone(), ray, &box_ray, best, counters);
-        }
-    }
-
-    /// [`occluded`](Self::occluded) of those of a slice of rays whose places are in `which`, none of
-    /// them blocked so far; notes in `blocked` which are.
-    fn occluded_stream<C: Counters>(
-        &self,
-        slots: Range<u32>,
-        rays: &[Ray],
-        which: &[u32],
-        blocked: &mut [bool],
-        counters: &mut C,
-    ) {
-        for &place in which {
-            let ray = &rays[place as usize];
-            let box_ray = BoxRay::new(ray, self.padding());
-            blocked[place as usize] = self.occluded(slots.clone(), ray, &box_ray, counters);
+            self.test(query, slots.clone(), ray, &box_ray, answer, counters);
         }
     }
 }
 
-/// Many rays at once: what the renderer, the benches and the tests call.
+/// Many rays at once, whatever the structure: what the renderer, the benches and the tests call.
 ///
-/// The order and the number of the rays in a slice never change a result. Counting is asked for by
+/// The order and the number of the rays in a slice never change an answer. Counting is chosen by
 /// the call; without it the search is compiled without counters.
 pub trait Tracer: Send + Sync {
-    /// The closest hit of each ray, or [`Hit::MISS`].
+    /// Answers what the kind of `answers` asks about each ray.
     ///
     /// # Panics
     /// If the slices differ in length.
-    fn intersect(&self, rays: &[Ray], hits: &mut [Hit], counts: Option<&mut Counts>);
-
-    /// Whether each ray hits anything at all.
-    ///
-    /// # Panics
-    /// If the slices differ in length.
-    fn occluded(&self, rays: &[Ray], blocked: &mut [bool], counts: Option<&mut Counts>);
-}
-
-/// The primitives' boxes as obvhs's builders take them.
-fn obvhs_boxes(primitives: &impl Bounded) -> Vec<obvhs::aabb::Aabb> {
-    (0..primitives.count())
-        .into_par_iter()
-        .map(|i| {
-            let Aabb { min, max } = primitives.bounds(i);
-            obvhs::aabb::Aabb { min, max }
-        })
-        .collect()
+    fn trace(
+        &self,
+        rays: &[Ray],
+        answers: Answers<'_>,
+        scratch: &mut Scratch,
+        counts: Option<&mut Counts>,
+    );
 }

@@ -5,7 +5,7 @@ use std::ops::{ControlFlow, Range};
 use crate::counters::Counters;
 use crate::math::{BoxRay, Ray};
 
-use super::{Accel, Bounded, BuildConfig, Built, StructureShape};
+use super::{Accel, Bounded, Build, Built, StructureShape};
 
 /// Offers everything.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +14,7 @@ pub struct Exhaustive {
 }
 
 impl Accel for Exhaustive {
-    fn build(primitives: &impl Bounded, _: &BuildConfig) -> Built<Self> {
+    fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
         Built { accel: Self { count: primitives.count() }, order: None }
     }
 
@@ -29,10 +29,13 @@ impl Accel for Exhaustive {
         let _ = leaf(0..self.count, counters);
     }
 
+    fn bytes(&self) -> u64 {
+        size_of::<Self>() as u64
+    }
+
     fn shape(&self) -> StructureShape {
-        let mut shape = StructureShape::default();
+        let mut shape = StructureShape { bytes: self.bytes(), ..StructureShape::default() };
         shape.add_leaf(self.count, 0);
-        shape.bytes = size_of::<Self>() as u64;
         shape
     }
 }

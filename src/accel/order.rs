@@ -3,12 +3,12 @@
 use crate::math::NONE;
 
 /// Panics unless each of `count` primitives has one slot; the message names the first that has not.
-/// Slots may be empty only where primitives are tested in several `lanes`.
-pub(super) fn assert_whole(order: &[u32], count: u32, lanes: u32) {
+/// Slots may be empty only where primitives are tested several at once.
+pub(super) fn assert_whole(order: &[u32], count: u32, grain: u32) {
     if let Some(fault) = fault(order, count) {
         panic!("{fault}");
     }
-    if let Some(slot) = order.iter().position(|&primitive| primitive == NONE).filter(|_| lanes == 1)
+    if let Some(slot) = order.iter().position(|&primitive| primitive == NONE).filter(|_| grain == 1)
     {
         panic!("the order leaves slot {slot} empty, of primitives that are tested one by one");
     }

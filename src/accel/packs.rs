@@ -1,44 +1,50 @@
 //! Primitives in packs of eight, for kernels that test eight primitives, or sixteen rays, at once.
 
-use crate::math::Aabb;
-use crate::simd::{Lanes3, Simd};
+use crate::math::{Aabb, Lanes, Lanes3};
+use crate::simd::Simd;
 
 /// Lanes of a pack.
 pub const PACK: usize = 8;
 
-/// A hit before its division: the ray is inside the primitive if `u ≥ 0`, `v ≥ 0` and
-/// `u + v ≤ det`, and then hits it at `t / det`. The other quotients are the hit's coordinates.
+/// What a formula finds for rays and primitives, lane by lane, before a box is consulted. The
+/// parameter and the coordinates are quotients; dividing is left to those who need the result.
 #[derive(Clone, Copy, Debug)]
-pub struct ScaledHit<L> {
-    /// First coordinate, times `det`.
-    pub u: L,
-    /// Second coordinate, times `det`.
-    pub v: L,
-    /// Ray parameter, times `det`.
+pub struct PackHits<L: Lanes> {
+    /// Where the ray's line meets the primitive.
+    pub inside: L::Mask,
+    /// The parameter, times `scale`.
     pub t: L,
-    /// The scale: not negative. Where it is 0, nothing is hit.
-    pub det: L,
+    /// First surface coordinate, times `scale`.
+    pub u: L,
+    /// Second surface coordinate, times `scale`.
+    pub v: L,
+    /// What these are divided by. Where that gives a NaN, nothing is hit.
+    pub scale: L,
 }
 
 /// Primitives by packs and lanes. Slot `i` is lane `i % 8` of pack `i / 8`. Empty lanes give a
-/// quotient `t / det` that is NaN.
+/// parameter that is NaN.
 pub trait Packs: Sync {
+    /// How many slots a single ray is tested with at once: ranges that begin at a multiple of it are
+    /// the cheapest. 1 says that there are no packs, and that none of the methods is called.
+    const GRAIN: u32;
+
     /// One ray against the eight primitives of a pack.
-    fn of_pack<S: Simd>(
+    fn test_pack<S: Simd>(
         &self,
         pack: usize,
         origin: Lanes3<S::F8>,
         dir: Lanes3<S::F8>,
-    ) -> ScaledHit<S::F8>;
+    ) -> PackHits<S::F8>;
 
     /// Sixteen rays against one primitive.
-    fn of_lane<S: Simd>(
+    fn test_lane<S: Simd>(
         &self,
         pack: usize,
         lane: usize,
         origin: Lanes3<S::F16>,
         dir: Lanes3<S::F16>,
-    ) -> ScaledHit<S::F16>;
+    ) -> PackHits<S::F16>;
 
     /// The primitives' own boxes, lane by lane: low and high corners, the same as those of
     /// [`Packs::bounds`]. Hits are accepted by either.
@@ -57,42 +63,47 @@ pub trait Packs: Sync {
     fn id(&self, pack: usize, lane: usize) -> u32;
 }
 
-/// For primitives that are tested one by one: has no packs.
+/// For primitives that are tested one by one: there are no packs.
 #[derive(Clone, Copy, Debug)]
-pub enum NoPacks {}
+pub struct NoPacks;
+
+/// Why a method of [`NoPacks`] is not called.
+const NONE: &str = "a grain of 1 says that there are no packs";
 
 impl Packs for NoPacks {
-    fn of_pack<S: Simd>(&self, _: usize, _: Lanes3<S::F8>, _: Lanes3<S::F8>) -> ScaledHit<S::F8> {
-        match *self {}
+    const GRAIN: u32 = 1;
+
+    fn test_pack<S: Simd>(&self, _: usize, _: Lanes3<S::F8>, _: Lanes3<S::F8>) -> PackHits<S::F8> {
+        unreachable!("{NONE}")
     }
 
-    fn of_lane<S: Simd>(
+    fn test_lane<S: Simd>(
         &self,
         _: usize,
         _: usize,
         _: Lanes3<S::F16>,
         _: Lanes3<S::F16>,
-    ) -> ScaledHit<S::F16> {
-        match *self {}
+    ) -> PackHits<S::F16> {
+        unreachable!("{NONE}")
     }
 
     fn boxes<S: Simd>(&self, _: usize) -> [Lanes3<S::F8>; 2] {
-        match *self {}
+        unreachable!("{NONE}")
     }
 
     fn prefetch(&self, _: usize) {
-        match *self {}
+        unreachable!("{NONE}")
     }
 
     fn bytes(&self) -> u64 {
-        match *self {}
+        0
     }
 
     fn bounds(&self, _: usize, _: usize) -> Aabb {
-        match *self {}
+        unreachable!("{NONE}")
     }
 
     fn id(&self, _: usize, _: usize) -> u32 {
-        match *self {}
+        unreachable!("{NONE}")
     }
 }

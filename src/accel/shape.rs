@@ -1,5 +1,7 @@
 //! What a structure looks like: the facts that reports print beside its speed.
 
+use super::Tree;
+
 /// How many leaves hold how many primitives: entry `n` counts the leaves with `n` primitives.
 pub type LeafHistogram = Vec<u64>;
 
@@ -23,6 +25,33 @@ pub struct StructureShape {
 }
 
 impl StructureShape {
+    /// Size and form of a tree, with the bytes of the structure that it shows.
+    #[must_use]
+    pub fn of_tree(tree: Option<&Tree>, bytes: u64) -> Self {
+        let mut shape = Self { bytes, ..Self::default() };
+        let nodes = tree.map_or(&[][..], Tree::nodes);
+        let root_area = nodes.first().map_or(0.0, |root| root.bounds.half_area());
+        // The ends of the nodes that the walk is in: their number is the depth.
+        let mut open: Vec<usize> = Vec::new();
+        let mut cost = 0.0;
+        for (index, node) in nodes.iter().enumerate() {
+            while open.last().is_some_and(|&end| end <= index) {
+                open.pop();
+            }
+            // The share of the rays that meet it: by its area in the root's.
+            let met = if index == 0 { 1.0 } else { node.bounds.half_area() / root_area };
+            cost += met * node.cost();
+            if node.children == 0 {
+                shape.add_leaf(node.slots.len() as u32, open.len() as u32);
+            } else {
+                shape.nodes += 1;
+                open.push(node.end);
+            }
+        }
+        shape.sah_cost = (cost.is_finite() && !nodes.is_empty()).then_some(cost);
+        shape
+    }
+
     /// Notes a leaf.
     pub fn add_leaf(&mut self, primitives: u32, depth: u32) {
         let size = primitives as usize;

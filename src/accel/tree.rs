@@ -13,7 +13,8 @@ pub struct Tree {
 /// A node of a [`Tree`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct TreeNode {
-    /// The box that rays are tested against before they enter; of no meaning for the root.
+    /// The box that rays are tested against before they enter; the root's is that around all, and not
+    /// tested.
     pub bounds: Aabb,
     /// The slots of a leaf; empty for an inner node.
     pub slots: Range<u32>,

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::accel::{BuildConfig, Tracer};
+use crate::accel::{self, BuildConfig, Scratch, Tracer};
 use crate::counters::Counts;
 use crate::math::{Hit, Ray};
 use crate::record::{Status, StructureRecord};
@@ -109,20 +109,22 @@ pub(super) fn trace(
     answers: &mut Answers,
     mut counts: Option<&mut Counts>,
 ) {
-    match query {
+    Scratch::of_thread(|scratch| match query {
         Query::Closest => {
             answers.hits.resize(rays.len(), Hit::MISS);
             let hits = answers.hits.chunks_mut(RAYS_AT_ONCE);
             for (rays, hits) in rays.chunks(RAYS_AT_ONCE).zip(hits) {
-                tracer.intersect(rays, hits, counts.as_deref_mut());
+                let answers = accel::Answers::ClosestHit(hits);
+                tracer.trace(rays, answers, scratch, counts.as_deref_mut());
             }
         }
         Query::Any => {
             answers.blocked.resize(rays.len(), false);
             let blocked = answers.blocked.chunks_mut(RAYS_AT_ONCE);
             for (rays, blocked) in rays.chunks(RAYS_AT_ONCE).zip(blocked) {
-                tracer.occluded(rays, blocked, counts.as_deref_mut());
+                let answers = accel::Answers::AnyHit(blocked);
+                tracer.trace(rays, answers, scratch, counts.as_deref_mut());
             }
         }
-    }
+    });
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::accel::Tracer;
+use crate::accel::{Answers, Scratch, Tracer};
 use crate::math::{Hit, Random, Ray};
 use crate::record::RayClass;
 use crate::scene::Scene;
@@ -16,7 +16,7 @@ const RANDOM_STREAM: u64 = 0x7261_6e64;
 /// From what view rays hit, a ray each in a random direction about the normal.
 pub(super) fn diffuse(scene: &Scene, tracer: &dyn Tracer, view: &[Ray], seed: u64) -> RaySet {
     let mut hits = vec![Hit::MISS; view.len()];
-    tracer.intersect(view, &mut hits, None);
+    tracer.trace(view, Answers::ClosestHit(&mut hits), &mut Scratch::default(), None);
     let mut random = Random::new(&[seed, DIFFUSE_STREAM]);
     let bounce = |(ray, hit): (&Ray, &Hit)| {
         let surface = scene.surface(ray, hit);

@@ -21,7 +21,9 @@ use std::fmt;
 use glam::Vec3;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-use crate::accel::{Accel, BuildConfig, Exhaustive, Indexed, Quality, Tracer};
+use crate::accel::{
+    Accel, AnyHit, BuildConfig, ClosestHit, Exhaustive, Indexed, Quality, Query, Scratch,
+};
 use crate::counters::{Counts, NoCounters};
 use crate::math::{Hit, Ray};
 use crate::shapes::TriangleSet;
@@ -171,17 +173,29 @@ fn indexed<A: Accel>(mesh: &Mesh, quality: Quality) -> Indexed<TriangleSet, A> {
 
 fn answers<A: Accel>(index: &Indexed<TriangleSet, A>, rays: &[Ray], way: Way) -> Vec<Answer> {
     if way == Way::Alone {
-        let alone = |ray| Answer {
-            hit: index.closest(ray, &mut NoCounters),
-            blocked: index.blocked(ray, &mut NoCounters),
-        };
+        let alone = |ray| Answer { hit: index.hit(ray), blocked: index.occluded(ray) };
         return rays.iter().map(alone).collect();
     }
-    let mut counts = (way == Way::Counted).then(Counts::default);
-    let (mut hits, mut blocked) = (vec![Hit::MISS; rays.len()], vec![false; rays.len()]);
-    index.intersect(rays, &mut hits, counts.as_mut());
-    index.occluded(rays, &mut blocked, counts.as_mut());
+    let hits = of_slice(index, ClosestHit, rays, way);
+    let blocked = of_slice(index, AnyHit, rays, way);
     hits.into_iter().zip(blocked).map(|(hit, blocked)| Answer { hit, blocked }).collect()
+}
+
+fn of_slice<A: Accel, Q: Query>(
+    index: &Indexed<TriangleSet, A>,
+    query: Q,
+    rays: &[Ray],
+    way: Way,
+) -> Vec<Q::Answer> {
+    let mut answers: Vec<_> = rays.iter().map(|ray| query.start(ray)).collect();
+    let mut scratch = Scratch::default();
+    match way {
+        Way::Counted => {
+            index.search(&query, rays, &mut answers, &mut scratch, &mut Counts::default());
+        }
+        _ => index.search(&query, rays, &mut answers, &mut scratch, &mut NoCounters),
+    }
+    answers
 }
 
 impl Answer {
@@ -235,7 +249,7 @@ mod tests {
     use std::ops::{ControlFlow, Range};
 
     use super::*;
-    use crate::accel::{Bounded, Built, StructureShape};
+    use crate::accel::{Bounded, Build, Built};
     use crate::counters::Counters;
     use crate::math::BoxRay;
 
@@ -244,7 +258,7 @@ mod tests {
     struct Exclusive(Vec<crate::math::Aabb>);
 
     impl Accel for Exclusive {
-        fn build(primitives: &impl Bounded, _: &BuildConfig) -> Built<Self> {
+        fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
             let boxes = (0..primitives.count()).map(|i| primitives.bounds(i)).collect();
             Built { accel: Self(boxes), order: None }
         }
@@ -269,8 +283,8 @@ mod tests {
             }
         }
 
-        fn shape(&self) -> StructureShape {
-            StructureShape::default()
+        fn bytes(&self) -> u64 {
+            0
         }
     }
 

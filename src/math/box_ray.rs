@@ -1,6 +1,6 @@
-//! The slab test: one formula for every box that any structure, or any primitive, tests.
+//! The slab test of a ray that travels alone; the arithmetic is that of `slab.rs`.
 //!
-//! Equal hits rest on this file. A hit counts only if its `t` lies in the interval of its
+//! Equal hits rest on it. A hit counts only if its `t` lies in the interval of its
 //! primitive's own box, and a structure may only skip a box whose interval ends before, or begins
 //! behind, what is searched. Each operation below rounds monotonically in the plane's coordinate,
 //! so the interval of an enclosing box contains that of every box within, to the last bit: what
@@ -8,34 +8,13 @@
 
 use glam::Vec3A;
 
-use super::{Aabb, Ray};
-
-/// How much wider than exact arithmetic the boxes of a set of primitives are tested.
-///
-/// The padding of a ray is `16·ε·factor·(largest + |origin|)`: it covers the rounding of the slab
-/// test and of `t` itself, and it grows with the distance of the ray's origin, because both do. It
-/// belongs to the ray, not to the boxes, so the same boxes serve near and far origins.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Padding {
-    /// The largest absolute coordinate of any of the set's boxes.
-    pub largest: f32,
-    /// At least 1; more where `t` comes through a transform that amplifies rounding.
-    pub factor: f32,
-}
-
-impl Padding {
-    /// The padding of primitives that are tested in the space of the ray.
-    #[must_use]
-    pub fn of_bounds(bounds: &Aabb) -> Self {
-        Self { largest: bounds.largest_coordinate(), factor: 1.0 }
-    }
-}
+use super::slab::{finite_reciprocal, slab};
+use super::{Aabb, Padding, Ray, within};
 
 /// A ray as boxes see it.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxRay {
-    /// 1/dir, cut to finite values: an axis along which the ray does not move then yields huge
-    /// intervals or none, and never a NaN.
+    /// 1/dir, cut to finite values.
     pub inv_dir: Vec3A,
     /// origin + padding: what planes are measured from where the ray runs along the axis.
     pub origin_plus: Vec3A,
@@ -51,11 +30,9 @@ impl BoxRay {
     #[must_use]
     pub fn new(ray: &Ray, padding: Padding) -> Self {
         let origin = Vec3A::from(ray.origin);
-        let reach = padding.largest + origin.abs().max_element();
-        let pad = 16.0 * f32::EPSILON * padding.factor * reach;
-        let inv_dir = Vec3A::ONE / Vec3A::from(ray.dir);
+        let pad = padding.of_rays(origin.abs().max_element());
         Self {
-            inv_dir: inv_dir.clamp(Vec3A::splat(-f32::MAX), Vec3A::splat(f32::MAX)),
+            inv_dir: finite_reciprocal(Vec3A::from(ray.dir)),
             origin_plus: origin + Vec3A::splat(pad),
             origin_minus: origin - Vec3A::splat(pad),
             pad,
@@ -83,9 +60,9 @@ impl BoxRay {
     #[inline]
     #[must_use]
     pub fn interval(&self, aabb: &Aabb) -> (f32, f32) {
-        let low = (aabb.min - self.origin_plus) * self.inv_dir;
-        let high = (aabb.max - self.origin_minus) * self.inv_dir;
-        (low.min(high).max_element(), low.max(high).min_element())
+        let origins = [self.origin_plus, self.origin_minus];
+        let (near, far) = slab([aabb.min, aabb.max], origins, self.inv_dir);
+        (near.max_element(), far.min_element())
     }
 
     /// Whether `t` lies in the interval of the box: the own-box rule.
@@ -93,7 +70,7 @@ impl BoxRay {
     #[must_use]
     pub fn accepts(&self, aabb: &Aabb, t: f32) -> bool {
         let (near, far) = self.interval(aabb);
-        near <= t && t <= far
+        within(t, [near, far])
     }
 }
 

@@ -7,14 +7,18 @@ mod aabb;
 mod box_ray;
 mod hash;
 mod hit;
+mod lanes;
 mod ray;
+pub mod slab;
 mod transform;
 
 pub use aabb::Aabb;
-pub use box_ray::{BoxRay, Padding};
+pub use box_ray::BoxRay;
 pub use hash::{Random, hash_u64, unit_pair};
 pub use hit::{CLOSE, Hit, NONE};
+pub use lanes::{Lanes, Lanes3, Mask, cross, dot, ones, sub, within};
 pub use ray::Ray;
+pub use slab::Padding;
 pub(crate) use transform::outward_box;
 pub use transform::{ConditionError, RayToObject, Transform};
 

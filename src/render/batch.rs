@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::accel::Tracer;
+use crate::accel::{Answers, Scratch, Tracer};
 use crate::math::{Color, Hit, Ray, hash_u64};
 use crate::scene::{Light, Scene, Surface};
 
@@ -62,6 +62,7 @@ pub(super) struct Batch {
     /// For each light, the samples that go to each view sample.
     pub(super) dealt: Vec<Dealt>,
     stopwatch: Stopwatch,
+    scratch: Scratch,
     hits: Vec<Hit>,
     waves: [Wave; 5],
     shadows: Shadows,
@@ -100,6 +101,7 @@ impl Batch {
             shaded: Vec::new(),
             dealt: std::iter::repeat_with(Dealt::default).take(lights).collect(),
             stopwatch: Stopwatch::start(),
+            scratch: Scratch::default(),
             hits: Vec::new(),
             waves: Default::default(),
             shadows: Shadows::default(),
@@ -151,7 +153,8 @@ impl Batch {
     ) {
         context.observer.rays_sent(class, rays);
         let stats = self.stats.class_mut(class);
-        context.tracer.intersect(rays, hits, context.count.then_some(&mut stats.tests));
+        let counts = context.count.then_some(&mut stats.tests);
+        context.tracer.trace(rays, Answers::ClosestHit(hits), &mut self.scratch, counts);
         stats.rays += rays.len() as u64;
         stats.hits += hits.iter().filter(|hit| hit.is_hit()).count() as u64;
         self.lap(Stage::Tracing(class));
@@ -161,7 +164,8 @@ impl Batch {
     pub(super) fn occluded(&mut self, context: &Context<'_>, rays: &[Ray], blocked: &mut [bool]) {
         context.observer.rays_sent(RayClass::Shadow, rays);
         let stats = self.stats.class_mut(RayClass::Shadow);
-        context.tracer.occluded(rays, blocked, context.count.then_some(&mut stats.tests));
+        let counts = context.count.then_some(&mut stats.tests);
+        context.tracer.trace(rays, Answers::AnyHit(blocked), &mut self.scratch, counts);
         stats.rays += rays.len() as u64;
         stats.hits += blocked.iter().filter(|&&blocked| blocked).count() as u64;
         self.lap(Stage::Tracing(RayClass::Shadow));

@@ -5,8 +5,9 @@
 
 use glam::Vec3;
 
+use crate::math::{Lanes, Lanes3, Mask as _, dot, ones, sub};
 use crate::scene::Light;
-use crate::simd::{LANES, Lanes, Lanes3, Mask, Row as _, Simd, dot, ones, splat3, sub};
+use crate::simd::{LANES, Row as _, Simd, splat3};
 
 use super::optics::{Exponent, whole_power};
 use super::receivers::{Receivers, Row, Rows3};

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::simd::Lanes;
+use crate::math::Lanes;
 
 /// The mirror direction of a direction `dir` at a surface with unit normal `normal`.
 #[inline]

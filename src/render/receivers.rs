@@ -3,7 +3,8 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::simd::{LANES, ones};
+use crate::math::ones;
+use crate::simd::LANES;
 
 use super::finish::Finish;
 use super::optics::Exponent;

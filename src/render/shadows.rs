@@ -6,9 +6,9 @@
 
 use glam::{Mat4, Vec3, Vec4};
 
-use crate::math::{Hit, Ray};
+use crate::math::{Hit, Lanes as _, Ray, ones};
 use crate::scene::Light;
-use crate::simd::{Kernel, LANES, Row as _, Simd, dispatch, ones};
+use crate::simd::{Kernel, LANES, Row as _, Simd, dispatch};
 
 use super::batch::{Batch, Context, Shaded};
 use super::incidence::{Incidence, LightPlane};

@@ -8,10 +8,10 @@ use std::time::{Duration, Instant};
 
 use glam::Vec3;
 
-use crate::accel::{BuildStages, StructureShape, Tracer};
+use crate::accel::{Answers, BuildStages, Scratch, StructureShape, Tracer};
 use crate::counters::Counts;
 use crate::embree::{Builder, EmbreeError, TriangleScene};
-use crate::math::{Hit, Ray};
+use crate::math::Ray;
 use crate::shapes::EndPointOverlap;
 
 use super::{BuildError, BuildReport, Form, Object, Scene, TracedWorld};
@@ -64,19 +64,12 @@ fn add(
 }
 
 impl<const PACKETS: bool> Tracer for EmbreeWorld<PACKETS> {
-    fn intersect(&self, rays: &[Ray], hits: &mut [Hit], _: Option<&mut Counts>) {
-        if PACKETS {
-            self.triangles.intersect_packets(rays, hits);
-        } else {
-            self.triangles.intersect(rays, hits);
-        }
-    }
-
-    fn occluded(&self, rays: &[Ray], blocked: &mut [bool], _: Option<&mut Counts>) {
-        if PACKETS {
-            self.triangles.occluded_packets(rays, blocked);
-        } else {
-            self.triangles.occluded(rays, blocked);
+    fn trace(&self, rays: &[Ray], answers: Answers<'_>, _: &mut Scratch, _: Option<&mut Counts>) {
+        match (answers, PACKETS) {
+            (Answers::ClosestHit(hits), false) => self.triangles.intersect(rays, hits),
+            (Answers::ClosestHit(hits), true) => self.triangles.intersect_packets(rays, hits),
+            (Answers::AnyHit(blocked), false) => self.triangles.occluded(rays, blocked),
+            (Answers::AnyHit(blocked), true) => self.triangles.occluded_packets(rays, blocked),
         }
     }
 }

@@ -10,7 +10,7 @@ mod compile;
 mod embree_world;
 mod error;
 mod lights;
-mod mesh_stream;
+mod mesh_rays;
 mod object;
 mod object_list;
 mod range;

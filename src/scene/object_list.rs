@@ -10,12 +10,12 @@ use std::sync::Arc;
 
 use glam::{Vec3, Vec3A};
 
-use crate::accel::{Accel, Bounded, Indexed, NoPacks, Primitives};
+use crate::accel::{Accel, Bounded, Indexed, NoPacks, Primitives, Query, Scratch};
 use crate::counters::Counters;
-use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray, RayToObject};
-use crate::shapes::{Place, Single, TriangleSet};
+use crate::math::{Aabb, BoxRay, NONE, Padding, Ray, RayToObject};
+use crate::shapes::{Instance, Single, TriangleSet};
 
-use super::mesh_stream::Asked;
+use super::mesh_rays::{test_mesh, test_mesh_many};
 use super::{Form, Object, Scene};
 
 /// Paddings grow with how much a transform amplifies rounding, up to this: beyond, an object is so
@@ -26,7 +26,7 @@ const LARGEST_AMPLIFICATION: f64 = 1e4;
 /// needed: objects are tested one by one.
 #[derive(Clone, Debug)]
 pub struct ObjectList<A> {
-    objects: Vec<Placed>,
+    objects: Vec<StoredInstance>,
     to_object: Vec<RayToObject>,
     singles: Vec<Single>,
     meshes: Vec<Arc<Indexed<TriangleSet, A>>>,
@@ -35,18 +35,18 @@ pub struct ObjectList<A> {
 
 /// An object as a ray meets it. Small: there may be millions.
 #[derive(Clone, Copy, Debug)]
-struct Placed {
+struct StoredInstance {
     /// The corners of its box in the world.
     corners: [Vec3; 2],
     /// Index into the list's transforms, or [`NONE`].
     to_object: u32,
-    form: PlacedForm,
+    form: StoredForm,
     id: u32,
 }
 
 /// Indices into the list's shapes or meshes.
 #[derive(Clone, Copy, Debug)]
-enum PlacedForm {
+enum StoredForm {
     Single(u32),
     Mesh(u32),
 }
@@ -79,15 +79,15 @@ impl<A: Accel> ObjectList<A> {
     }
 
     fn place(&mut self, id: u32, object: &Object, to_object: Option<RayToObject>) {
-        let mut single = |single| PlacedForm::Single(push(&mut self.singles, single));
+        let mut single = |single| StoredForm::Single(push(&mut self.singles, single));
         let form = match object.form {
             Form::Ball(ball) => single(Single::Ball(ball)),
             Form::Cylinder => single(Single::Cylinder),
             Form::Triangle(triangle) => single(Single::Triangle(triangle)),
-            Form::Mesh { mesh, .. } => PlacedForm::Mesh(mesh as u32),
+            Form::Mesh { mesh, .. } => StoredForm::Mesh(mesh as u32),
         };
         let to_object = to_object.map_or(NONE, |to_object| push(&mut self.to_object, to_object));
-        self.objects.push(Placed { corners: object.corners, to_object, form, id });
+        self.objects.push(StoredInstance { corners: object.corners, to_object, form, id });
     }
 }
 
@@ -115,8 +115,8 @@ impl<A: Accel> Bounded for ObjectList<A> {
 impl<A: Accel> Primitives for ObjectList<A> {
     type Packs = NoPacks;
 
-    fn packs(&self) -> Option<&NoPacks> {
-        None
+    fn packs(&self) -> &NoPacks {
+        &NoPacks
     }
 
     fn padding(&self) -> Padding {
@@ -135,7 +135,7 @@ impl<A: Accel> Primitives for ObjectList<A> {
             if let Some(&transform) = to_object.get(object.to_object as usize) {
                 object.to_object = push(&mut self.to_object, transform);
             }
-            if let PlacedForm::Single(single) = &mut object.form {
+            if let StoredForm::Single(single) = &mut object.form {
                 *single = push(&mut self.singles, singles[*single as usize]);
             }
             objects.push(object);
@@ -144,98 +144,53 @@ impl<A: Accel> Primitives for ObjectList<A> {
     }
 
     #[inline]
-    fn intersect<C: Counters>(
+    fn test<Q: Query, C: Counters>(
         &self,
+        query: &Q,
         slots: Range<u32>,
         ray: &Ray,
         box_ray: &BoxRay,
-        best: &mut Hit,
+        answer: &mut Q::Answer,
         counters: &mut C,
     ) {
         for object in self.in_slots(slots) {
-            let place = self.place_of(object);
-            let hit = match object.form {
-                PlacedForm::Single(single) => {
+            let instance = self.instance(object);
+            match object.form {
+                StoredForm::Single(single) => {
                     counters.primitives(1);
-                    self.single(single).closest(&place, &Ray { t_max: best.t, ..*ray }, box_ray)
+                    self.single(single).test(query, &instance, ray, box_ray, answer);
                 }
-                PlacedForm::Mesh(mesh) => {
-                    let own = place.own_part(ray, box_ray, best.t);
-                    let hit = self.mesh(mesh).closest(&own, counters);
-                    hit.is_hit().then_some(Hit { object: object.id, ..hit })
+                StoredForm::Mesh(mesh) => {
+                    let mesh = self.mesh(mesh);
+                    test_mesh(query, mesh, &instance, (ray, box_ray), answer, counters);
                 }
-            };
-            if let Some(hit) = hit.filter(|hit| hit.precedes(best)) {
-                *best = hit;
+            }
+            if query.end(ray, answer) == f32::NEG_INFINITY {
+                return;
             }
         }
     }
 
-    #[inline]
-    fn occluded<C: Counters>(
+    fn test_stream<Q: Query, C: Counters>(
         &self,
+        query: &Q,
         slots: Range<u32>,
-        ray: &Ray,
-        box_ray: &BoxRay,
-        counters: &mut C,
-    ) -> bool {
-        self.in_slots(slots).iter().any(|object| {
-            let place = self.place_of(object);
-            match object.form {
-                PlacedForm::Single(single) => {
-                    counters.primitives(1);
-                    self.single(single).closest(&place, ray, box_ray).is_some()
-                }
-                PlacedForm::Mesh(mesh) => {
-                    let own = place.own_part(ray, box_ray, ray.t_max);
-                    self.mesh(mesh).blocked(&own, counters)
-                }
-            }
-        })
-    }
-
-    fn intersect_stream<C: Counters>(
-        &self,
-        slots: Range<u32>,
-        rays: &[Ray],
-        which: &[u32],
-        best: &mut [Hit],
-        counters: &mut C,
-    ) {
-        self.ask(slots, rays, which, best, counters);
-    }
-
-    fn occluded_stream<C: Counters>(
-        &self,
-        slots: Range<u32>,
-        rays: &[Ray],
-        which: &[u32],
-        blocked: &mut [bool],
-        counters: &mut C,
-    ) {
-        self.ask(slots, rays, which, blocked, counters);
-    }
-}
-
-impl<A: Accel> ObjectList<A> {
-    /// Asks objects about some of a stream's rays.
-    fn ask<Q: Asked, C: Counters>(
-        &self,
-        slots: Range<u32>,
-        rays: &[Ray],
-        which: &[u32],
-        answers: &mut [Q],
+        (rays, which): (&[Ray], &[u32]),
+        answers: &mut [Q::Answer],
+        scratch: &mut Scratch,
         counters: &mut C,
     ) {
         for object in self.in_slots(slots) {
-            let place = self.place_of(object);
+            let instance = self.instance(object);
+            let of_rays = (rays, which);
             match object.form {
-                PlacedForm::Single(single) => {
+                StoredForm::Single(single) => {
                     counters.primitives(which.len() as u32);
-                    self.single(single).ask(&place, rays, which, answers);
+                    self.single(single).test_many(query, &instance, of_rays, answers);
                 }
-                PlacedForm::Mesh(mesh) => {
-                    Q::ask_mesh(self.mesh(mesh), &place, rays, which, answers, counters);
+                StoredForm::Mesh(mesh) => {
+                    let mesh = self.mesh(mesh);
+                    test_mesh_many(query, mesh, &instance, of_rays, answers, scratch, counters);
                 }
             }
         }
@@ -244,13 +199,13 @@ impl<A: Accel> ObjectList<A> {
 
 impl<A> ObjectList<A> {
     #[inline(always)]
-    fn in_slots(&self, slots: Range<u32>) -> &[Placed] {
+    fn in_slots(&self, slots: Range<u32>) -> &[StoredInstance] {
         &self.objects[slots.start as usize..slots.end as usize]
     }
 
     #[inline(always)]
-    fn place_of(&self, object: &Placed) -> Place<'_> {
-        Place {
+    fn instance(&self, object: &StoredInstance) -> Instance<'_> {
+        Instance {
             to_object: self.to_object.get(object.to_object as usize),
             bounds: object.bounds(),
             padding: self.padding,
@@ -269,7 +224,7 @@ impl<A> ObjectList<A> {
     }
 }
 
-impl Placed {
+impl StoredInstance {
     #[inline(always)]
     fn bounds(&self) -> Aabb {
         let [min, max] = self.corners.map(Vec3A::from);

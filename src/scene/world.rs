@@ -3,9 +3,11 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use crate::accel::{Accel, BuildConfig, BuildStages, Indexed, StructureShape, Tracer};
+use crate::accel::{
+    Accel, Answers, BuildConfig, BuildStages, Indexed, Scratch, StructureShape, Tracer,
+};
 use crate::counters::Counts;
-use crate::math::{Hit, NONE, Ray};
+use crate::math::{NONE, Ray};
 use crate::shapes::{EndPointOverlap, OVERLAP_SAMPLES, TriangleSet, end_point_overlap};
 
 use super::{Form, Object, ObjectList, Scene};
@@ -15,10 +17,10 @@ use super::{Form, Object, ObjectList, Scene};
 pub struct World<O, T> {
     objects: Indexed<ObjectList<T>, O>,
     meshes: Vec<Arc<Indexed<TriangleSet, T>>>,
-    /// The mesh that is all there is, in the world's own space: it is asked itself. Its hits need no
-    /// look at the object's box, which holds the boxes of all triangles and is tested with no less
-    /// padding.
-    lone: Option<Arc<Indexed<TriangleSet, T>>>,
+    /// The mesh, if that is the only object and stands in the world's own space: it is searched
+    /// itself. Its hits need no test of the object's box, which holds the boxes of all triangles and
+    /// is tested with no less padding.
+    only_mesh: Option<Arc<Indexed<TriangleSet, T>>>,
     build_time: Duration,
     stages: BuildStages,
 }
@@ -73,7 +75,7 @@ impl<O: Accel, T: Accel> World<O, T> {
         let over_objects = Instant::now();
         let objects = Indexed::build(ObjectList::new(scene, &meshes), &config);
         stages.add("objects", over_objects.elapsed() - objects.check_time());
-        let lone = match scene.objects[..] {
+        let only_mesh = match scene.objects[..] {
             [Object { form: Form::Mesh { mesh, .. }, transform: NONE, .. }] => {
                 Some(Arc::clone(&meshes[mesh]))
             }
@@ -81,22 +83,21 @@ impl<O: Accel, T: Accel> World<O, T> {
         };
         let check_time =
             objects.check_time() + meshes.iter().map(|mesh| mesh.check_time()).sum::<Duration>();
-        Self { objects, meshes, lone, build_time: start.elapsed() - check_time, stages }
+        Self { objects, meshes, only_mesh, build_time: start.elapsed() - check_time, stages }
     }
 }
 
 impl<O: Accel, T: Accel> Tracer for World<O, T> {
-    fn intersect(&self, rays: &[Ray], hits: &mut [Hit], counts: Option<&mut Counts>) {
-        match &self.lone {
-            Some(mesh) => mesh.intersect(rays, hits, counts),
-            None => self.objects.intersect(rays, hits, counts),
-        }
-    }
-
-    fn occluded(&self, rays: &[Ray], blocked: &mut [bool], counts: Option<&mut Counts>) {
-        match &self.lone {
-            Some(mesh) => mesh.occluded(rays, blocked, counts),
-            None => self.objects.occluded(rays, blocked, counts),
+    fn trace(
+        &self,
+        rays: &[Ray],
+        answers: Answers<'_>,
+        scratch: &mut Scratch,
+        counts: Option<&mut Counts>,
+    ) {
+        match &self.only_mesh {
+            Some(mesh) => mesh.trace(rays, answers, scratch, counts),
+            None => self.objects.trace(rays, answers, scratch, counts),
         }
     }
 }

@@ -2,8 +2,7 @@
 
 use glam::Vec3;
 
-use crate::math::{Aabb, Ray, UNIT_ROUNDOFF, outward_box};
-use crate::simd::{Lanes, Lanes3, dot, sub};
+use crate::math::{Aabb, Lanes, Lanes3, Ray, UNIT_ROUNDOFF, dot, outward_box, sub};
 
 use super::SurfacePoint;
 

@@ -2,8 +2,7 @@
 
 use glam::{DVec2, DVec3, Vec3A};
 
-use crate::math::{Aabb, Ray, UNIT_ROUNDOFF};
-use crate::simd::{Lanes, Lanes3};
+use crate::math::{Aabb, Lanes, Lanes3, Ray, UNIT_ROUNDOFF};
 
 use super::SurfacePoint;
 use super::ball::Approach;
@@ -61,11 +60,8 @@ impl Cylinder {
 
 /// How a line comes by the column x² + y² ≤ 1: the ball's formula in the plane.
 #[inline(always)]
-pub(super) fn approach_column<L: Lanes>(
-    origin: Lanes3<L>,
-    dir: Lanes3<L>,
-    [zero, one]: [L; 2],
-) -> Approach<L> {
+pub(super) fn approach_column<L: Lanes>(origin: Lanes3<L>, dir: Lanes3<L>) -> Approach<L> {
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
     let to_axis = [zero - origin[0], zero - origin[1], zero];
     Approach::new(to_axis, [dir[0], dir[1], zero], one)
 }
@@ -73,7 +69,7 @@ pub(super) fn approach_column<L: Lanes>(
 /// Where a line is inside the endless column.
 #[inline]
 fn column(ray: &Ray) -> Option<(f32, f32)> {
-    let line = approach_column(ray.origin.to_array(), ray.dir.to_array(), [0.0, 1.0]);
+    let line = approach_column(ray.origin.to_array(), ray.dir.to_array());
     if line.a == 0.0 {
         return (line.c <= 0.0).then_some((f32::NEG_INFINITY, f32::INFINITY));
     }

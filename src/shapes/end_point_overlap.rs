@@ -125,7 +125,7 @@ mod tests {
     use glam::Vec3;
 
     use super::*;
-    use crate::accel::{Accel, BuildConfig, Bvh, CompressedWideBvh, Exhaustive, Primitives};
+    use crate::accel::{Accel, BuildConfig, Bvh, CompressedWideBvh, Exhaustive, Indexed};
 
     fn set(corners: &[[f32; 3]]) -> TriangleSet {
         let positions: Vec<Vec3> = corners.iter().copied().map(Vec3::from).collect();
@@ -134,13 +134,10 @@ mod tests {
     }
 
     /// The tree of a structure with a triangle a leaf, and the triangles in its order.
-    fn tree<A: Accel>(mut triangles: TriangleSet) -> (Tree, TriangleSet) {
+    fn tree<A: Accel>(triangles: TriangleSet) -> (Tree, TriangleSet) {
         let config = BuildConfig { max_leaf: 1, ..BuildConfig::default() };
-        let built = A::build(&triangles, &config);
-        if let Some(order) = &built.order {
-            triangles.reorder(order);
-        }
-        (built.accel.tree().unwrap(), triangles)
+        let indexed: Indexed<_, A> = Indexed::build(triangles, &config);
+        (indexed.tree().unwrap(), indexed.primitives().clone())
     }
 
     fn exact<A: Accel>(triangles: &TriangleSet) -> f64 {
@@ -162,7 +159,7 @@ mod tests {
         let apart = pair([0.0, 0.0, 1.0]);
         assert_eq!(exact::<Bvh>(&apart), 0.0);
         assert_eq!(exact::<CompressedWideBvh>(&apart), 0.0);
-        let none = Exhaustive::build(&apart, &BuildConfig::default()).accel;
+        let none: Indexed<_, Exhaustive> = Indexed::build(apart, &BuildConfig::default());
         assert_eq!(none.tree(), None);
     }
 

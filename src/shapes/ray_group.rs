@@ -1,13 +1,14 @@
 //! Sixteen rays at an object, a ray in each lane.
 
-use crate::math::Ray;
-use crate::simd::{LANES, Lanes, Lanes3, Row, Simd};
+use crate::accel::Query;
+use crate::math::slab::{finite_reciprocal, slab};
+use crate::math::{Lanes, Lanes3, Ray};
+use crate::simd::{LANES, Row, Simd};
 
-use super::Place;
-use super::place::SoFar;
+use super::Instance;
 
 /// Rays, and where hits count.
-pub(super) struct Group<S: Simd> {
+pub(super) struct RayGroup<S: Simd> {
     pub(super) origin: Lanes3<S::F16>,
     pub(super) dir: Lanes3<S::F16>,
     /// The parameters between which hits count: in the rays' intervals before the ends of their
@@ -16,22 +17,22 @@ pub(super) struct Group<S: Simd> {
     pub(super) end: S::F16,
 }
 
-impl<S: Simd> Group<S> {
+impl<S: Simd> RayGroup<S> {
     /// Up to sixteen rays of the world, by their places in both slices. In the lanes that are left,
     /// nothing counts. `records` are memory.
     #[inline(always)]
-    pub(super) fn load(
-        place: &Place<'_>,
-        rays: &[Ray],
-        places: &[u32],
-        so_far: &[impl SoFar],
+    pub(super) fn load<Q: Query>(
+        instance: &Instance<'_>,
+        query: &Q,
+        (rays, places): (&[Ray], &[u32]),
+        answers: &[Q::Answer],
         records: &mut [[f32; 8]; LANES],
     ) -> Self {
         let mut ends = [f32::NEG_INFINITY; LANES];
         for (lane, &at) in places.iter().enumerate() {
             let ray = &rays[at as usize];
             records[lane % LANES] = ray.to_array();
-            ends[lane % LANES] = so_far[at as usize].end(ray);
+            ends[lane % LANES] = query.end(ray, &answers[at as usize]);
         }
         let rows = S::transpose(records);
         let mut group = Self {
@@ -40,34 +41,31 @@ impl<S: Simd> Group<S> {
             begin: rows[3],
             end: S::F16::load(&ends),
         };
-        group.cut_to_box(place);
+        group.cut_to_box(instance);
         group
     }
 
-    /// The operations of `BoxRay`.
+    /// Cuts the intervals to those of the object's box.
     #[inline(always)]
-    fn cut_to_box(&mut self, place: &Place<'_>) {
-        let (origin, padding) = (&self.origin, place.padding);
-        let reach = origin[0].abs().max(origin[1].abs()).max(origin[2].abs());
-        let reach = S::F16::splat(padding.largest) + reach;
-        let pad = S::F16::splat(16.0 * f32::EPSILON * padding.factor) * reach;
+    fn cut_to_box(&mut self, instance: &Instance<'_>) {
+        let origin = &self.origin;
+        let largest = origin[0].abs().max(origin[1].abs()).max(origin[2].abs());
+        let pad = instance.padding.of_rays(largest);
         for (axis, origin) in origin.iter().enumerate() {
-            let low = S::F16::splat(place.bounds.min[axis]);
-            let high = S::F16::splat(place.bounds.max[axis]);
-            let inv_dir = S::F16::splat(1.0) / self.dir[axis];
-            let inv_dir = inv_dir.max(S::F16::splat(-f32::MAX)).min(S::F16::splat(f32::MAX));
-            let a = (low - (*origin + pad)) * inv_dir;
-            let b = (high - (*origin - pad)) * inv_dir;
+            let low = S::F16::splat(instance.bounds.min[axis]);
+            let high = S::F16::splat(instance.bounds.max[axis]);
+            let inv_dir = finite_reciprocal(self.dir[axis]);
+            let (near, far) = slab([low, high], [*origin + pad, *origin - pad], inv_dir);
             // Of a number and what is none, the second operand remains: no hit lies before it.
-            self.begin = a.min(b).max(self.begin);
-            self.end = a.max(b).min(self.end);
+            self.begin = near.max(self.begin);
+            self.end = far.min(self.end);
         }
     }
 
     /// Takes the rays to the object's own space: the operations of `RayToObject::apply`.
     #[inline(always)]
-    pub(super) fn enter_own_space(&mut self, place: &Place<'_>) {
-        let Some(to_object) = place.to_object else { return };
+    pub(super) fn enter_own_space(&mut self, instance: &Instance<'_>) {
+        let Some(to_object) = instance.to_object else { return };
         let columns = to_object.columns();
         let (origin, dir) = (self.origin, self.dir);
         for (axis, own) in self.origin.iter_mut().enumerate() {

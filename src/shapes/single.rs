@@ -2,9 +2,10 @@
 //!
 //! Many rays against one are in `single_many.rs`, by the same formulas.
 
-use crate::math::{BoxRay, Hit, Ray};
+use crate::accel::{Query, Search};
+use crate::math::{BoxRay, Hit, Ray, within};
 
-use super::{Ball, Cylinder, Place, Triangle};
+use super::{Ball, Cylinder, Instance, Triangle};
 
 /// A shape that is one primitive, in its own space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,26 +19,44 @@ pub enum Single {
 }
 
 impl Single {
-    /// The first hit with `ray.t_min ≤ t ≤ ray.t_max`. `box_ray` is the ray with the place's
-    /// padding.
+    /// Records the hits of a ray that count: see [`Primitives::test`](crate::accel::Primitives::test).
+    /// `box_ray` is the ray with the padding of the instance.
     #[inline]
-    #[must_use]
-    pub fn closest(&self, place: &Place<'_>, ray: &Ray, box_ray: &BoxRay) -> Option<Hit> {
-        let own = place.own_ray(ray);
-        let hit = |t, prim, u, v| Hit { t, object: place.object, prim, u, v };
-        let crossings = match self {
-            Self::Ball(ball) => {
-                let (enter, leave) = ball.crossing(&own)?;
-                [(enter, 0), (leave, 0)]
+    pub fn test<Q: Query>(
+        &self,
+        query: &Q,
+        instance: &Instance<'_>,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        answer: &mut Q::Answer,
+    ) {
+        let t_max = query.end(ray, answer);
+        let own = instance.own_ray(&Ray { t_max, ..*ray });
+        // Returns whether what lies farther on the shape is of no interest.
+        let mut offer = |t, prim, u, v| {
+            let counts = within(t, [own.t_min, own.t_max]) && box_ray.accepts(&instance.bounds, t);
+            let hit = Hit { t, object: instance.object, prim, u, v };
+            let recorded = counts && query.accepts(&own, &hit);
+            if recorded {
+                query.record(answer, &hit);
             }
-            Self::Cylinder => Cylinder::crossing(&own)?,
-            Self::Triangle(triangle) => {
-                let (t, u, v) = triangle.intersect(&own)?;
-                return box_ray.accepts(&place.bounds, t).then(|| hit(t, 0, u, v));
-            }
+            recorded && !matches!(Q::SEARCH, Search::All)
         };
-        let counts = |t| own.t_min <= t && t <= own.t_max && box_ray.accepts(&place.bounds, t);
-        let (t, prim) = crossings.into_iter().find(|&(t, _)| counts(t))?;
-        Some(hit(t, prim, 0.0, 0.0))
+        match self {
+            Self::Ball(ball) => {
+                let crossing = ball.crossing(&own);
+                let _ = crossing.is_some_and(|(enter, leave)| {
+                    offer(enter, 0, 0.0, 0.0) || offer(leave, 0, 0.0, 0.0)
+                });
+            }
+            Self::Cylinder => {
+                let crossings = Cylinder::crossing(&own).into_iter().flatten();
+                let _ = crossings.into_iter().any(|(t, part)| offer(t, part, 0.0, 0.0));
+            }
+            Self::Triangle(triangle) => {
+                let hit = triangle.intersect(&own);
+                let _ = hit.is_some_and(|(t, u, v)| offer(t, 0, u, v));
+            }
+        }
     }
 }

@@ -3,51 +3,66 @@
 //! Every lane does what `single.rs` does for one ray, with the same operations in the same order:
 //! what is divided, compared and told is the same to the bit.
 
-use crate::math::{Hit, Ray};
-use crate::simd::{Kernel, LANES, Lanes, Mask, Row, Simd, dispatch, ones, splat3};
+use crate::accel::{Query, Search};
+use crate::math::{BoxRay, Hit, Lanes, Mask as _, Ray, ones, within};
+use crate::simd::{Kernel, LANES, Row, Simd, dispatch, splat3};
 
 use super::ball::Approach;
 use super::cylinder::approach_column;
-use super::place::SoFar;
-use super::ray_group::Group;
+use super::ray_group::RayGroup;
 use super::triangle::scaled_hit;
-use super::{Ball, Place, Single, Triangle};
+use super::{Ball, Instance, Single, Triangle};
 
 impl Single {
-    /// Notes where some rays hit the shape, or that they do. `which` has the rays' places in both
-    /// slices.
-    pub fn ask<A: SoFar>(&self, place: &Place<'_>, rays: &[Ray], which: &[u32], answers: &mut [A]) {
-        dispatch(Many { single: self, place, rays, which, answers });
+    /// [`test`](Self::test) for some of a slice of rays. `which` has their places in both slices.
+    pub fn test_many<Q: Query>(
+        &self,
+        query: &Q,
+        instance: &Instance<'_>,
+        (rays, which): (&[Ray], &[u32]),
+        answers: &mut [Q::Answer],
+    ) {
+        if const { Q::FILTERS || matches!(Q::SEARCH, Search::All) } {
+            // Not only where a ray hits first may be of interest.
+            for &place in which {
+                let (ray, answer) = (&rays[place as usize], &mut answers[place as usize]);
+                self.test(query, instance, ray, &BoxRay::new(ray, instance.padding), answer);
+            }
+        } else {
+            dispatch(Many { single: self, query, instance, rays, which, answers });
+        }
     }
 }
 
-struct Many<'a, A> {
+struct Many<'a, Q: Query> {
     single: &'a Single,
-    place: &'a Place<'a>,
+    query: &'a Q,
+    instance: &'a Instance<'a>,
     rays: &'a [Ray],
     which: &'a [u32],
-    answers: &'a mut [A],
+    answers: &'a mut [Q::Answer],
 }
 
-impl<A: SoFar> Kernel for Many<'_, A> {
+impl<Q: Query> Kernel for Many<'_, Q> {
     type Output = ();
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { single, place, rays, which, answers } = self;
+        let Self { single, query, instance, rays, which, answers } = self;
         let mut records = [[0.0; 8]; LANES];
         for places in which.chunks(LANES) {
-            let mut group = Group::<S>::load(place, rays, places, answers, &mut records);
+            let mut group =
+                RayGroup::<S>::load(instance, query, (rays, places), answers, &mut records);
             if group.begin.le(group.end).bits() == 0 {
                 continue;
             }
-            group.enter_own_space(place);
+            group.enter_own_space(instance);
             let found = match single {
                 Single::Ball(ball) => of_ball::<S>(ball, &group),
                 Single::Cylinder => of_cylinder::<S>(&group),
                 Single::Triangle(triangle) => of_triangle::<S>(triangle, &group),
             };
-            found.note(place.object, places, answers);
+            found.record(query, instance.object, places, answers);
         }
     }
 }
@@ -65,7 +80,7 @@ struct Found<R> {
 
 impl<R: Row<LANES>> Found<R> {
     #[inline(always)]
-    fn note<A: SoFar>(&self, object: u32, group: &[u32], answers: &mut [A]) {
+    fn record<Q: Query>(&self, query: &Q, object: u32, group: &[u32], answers: &mut [Q::Answer]) {
         if self.lanes == 0 {
             return;
         }
@@ -78,46 +93,46 @@ impl<R: Row<LANES>> Found<R> {
             let prim = bit(self.part[0]) | bit(self.part[1]) << 1;
             let at = lane % LANES;
             let hit = Hit { t: t[at], object, prim, u: u[at], v: v[at] };
-            answers[group[lane] as usize].note(&hit);
+            query.record(&mut answers[group[lane] as usize], &hit);
         }
     }
 }
 
 #[inline(always)]
-fn of_triangle<S: Simd>(triangle: &Triangle, group: &Group<S>) -> Found<S::F16> {
+fn of_triangle<S: Simd>(triangle: &Triangle, group: &RayGroup<S>) -> Found<S::F16> {
     let zero = S::F16::splat(0.0);
     let hit = scaled_hit(
         group.origin,
         group.dir,
-        splat3::<S::F16, _>(triangle.v0.to_array()),
-        splat3::<S::F16, _>(triangle.e1.to_array()),
-        splat3::<S::F16, _>(triangle.e2.to_array()),
+        splat3(triangle.v0.to_array()),
+        splat3(triangle.e1.to_array()),
+        splat3(triangle.e2.to_array()),
     );
-    let inside = zero.le(hit.u) & zero.le(hit.v) & (hit.u + hit.v).le(hit.det) & zero.le(hit.t);
+    let inside = hit.inside() & zero.le(hit.t);
     let t = hit.t / hit.det;
-    let lanes = (inside & group.begin.le(t) & t.le(group.end)).bits();
+    let lanes = (inside & within(t, [group.begin, group.end])).bits();
     Found { t, u: hit.u / hit.det, v: hit.v / hit.det, lanes, part: [0; 2] }
 }
 
 #[inline(always)]
-fn of_ball<S: Simd>(ball: &Ball, group: &Group<S>) -> Found<S::F16> {
-    let center = splat3::<S::F16, _>(ball.center.to_array());
+fn of_ball<S: Simd>(ball: &Ball, group: &RayGroup<S>) -> Found<S::F16> {
+    let center: [S::F16; 3] = splat3(ball.center.to_array());
     let origin = group.origin;
     let to_center = [center[0] - origin[0], center[1] - origin[1], center[2] - origin[2]];
     let line = Approach::new(to_center, group.dir, S::F16::splat(ball.radius * ball.radius));
     let (enter, leave) = in_order::<S>(line.roots());
-    let first = within::<S>(enter, group);
+    let first = counts::<S>(enter, group);
     let zero = S::F16::splat(0.0);
-    let lanes = (first | within::<S>(leave, group)) & met::<S>(&line);
+    let lanes = (first | counts::<S>(leave, group)) & met::<S>(&line);
     Found { t: enter.select(first, leave), u: zero, v: zero, lanes, part: [0; 2] }
 }
 
 #[inline(always)]
-fn of_cylinder<S: Simd>(group: &Group<S>) -> Found<S::F16> {
+fn of_cylinder<S: Simd>(group: &RayGroup<S>) -> Found<S::F16> {
     let (zero, one) = (S::F16::splat(0.0), S::F16::splat(1.0));
     let (before, behind) = (S::F16::splat(f32::NEG_INFINITY), S::F16::splat(f32::INFINITY));
     // The column; for lines along the axis it is everywhere or nowhere.
-    let line = approach_column(group.origin, group.dir, [zero, one]);
+    let line = approach_column(group.origin, group.dir);
     let (column_in, column_out) = in_order::<S>(line.roots());
     let along = line.a.le(zero).bits();
     let column_in = before.select(along, column_in);
@@ -136,8 +151,8 @@ fn of_cylinder<S: Simd>(group: &Group<S>) -> Found<S::F16> {
     let side_out = column_out.le(slab_out).bits();
     let enter = column_in.select(side_in, slab_in);
     let leave = column_out.select(side_out, slab_out);
-    let first = within::<S>(enter, group);
-    let lanes = (first | within::<S>(leave, group)) & in_column & in_slab & enter.le(leave).bits();
+    let first = counts::<S>(enter, group);
+    let lanes = (first | counts::<S>(leave, group)) & in_column & in_slab & enter.le(leave).bits();
     // Upwards a line enters by the bottom and leaves by the top.
     let cap = (first & !side_in) | (!first & !side_out);
     let at_bottom = cap & (first ^ down);
@@ -159,8 +174,8 @@ fn in_order<S: Simd>((t0, t1): (S::F16, S::F16)) -> (S::F16, S::F16) {
 
 /// Which parameters count.
 #[inline(always)]
-fn within<S: Simd>(t: S::F16, group: &Group<S>) -> u32 {
-    (group.begin.le(t) & t.le(group.end)).bits()
+fn counts<S: Simd>(t: S::F16, group: &RayGroup<S>) -> u32 {
+    within(t, [group.begin, group.end]).bits()
 }
 
 /// Which lines meet the ball, not all of it behind their origin: [`Approach::roots_if_met`].
@@ -176,7 +191,8 @@ mod tests {
     use glam::{DAffine3, DQuat, DVec3, Vec3};
 
     use super::*;
-    use crate::math::{BoxRay, Padding, Random, Transform};
+    use crate::accel::{AnyHit, ClosestHit};
+    use crate::math::{Padding, Random, Transform};
     use crate::shapes::Cylinder;
 
     /// Rays from inside, from outside and along the axes, some of them beside the shapes.
@@ -228,32 +244,33 @@ mod tests {
                 let bounds = transform.as_ref().map_or(own, |t| t.bounds_to_world(&own));
                 let to_object = transform.as_ref().map(Transform::ray_to_object);
                 let padding = Padding { factor: 4.0, ..Padding::of_bounds(&bounds) };
-                let place = Place { to_object: to_object.as_ref(), bounds, padding, object: 9 };
-                compare(single, &place, &rays, index);
+                let instance =
+                    Instance { to_object: to_object.as_ref(), bounds, padding, object: 9 };
+                compare(single, &instance, &rays, index);
             }
         }
     }
 
-    fn compare(single: &Single, place: &Place<'_>, rays: &[Ray], index: usize) {
+    fn compare(single: &Single, instance: &Instance<'_>, rays: &[Ray], index: usize) {
         // All but every eleventh, in an order of their own.
         let which: Vec<_> =
             (0..rays.len() as u32).rev().filter(|ray| ray % 11 != index as u32).collect();
         let mut best: Vec<_> = rays.iter().map(|ray| Hit::none_before(ray.t_max)).collect();
         let mut blocked = vec![false; rays.len()];
-        single.ask(place, rays, &which, &mut best);
-        single.ask(place, rays, &which, &mut blocked);
+        single.test_many(&ClosestHit, instance, (rays, &which), &mut best);
+        single.test_many(&AnyHit, instance, (rays, &which), &mut blocked);
         let mut hits = 0;
         for (place_in_slice, ray) in rays.iter().enumerate() {
             let asked = which.contains(&(place_in_slice as u32));
-            let alone = single.closest(place, ray, &BoxRay::new(ray, place.padding));
-            let expected = alone.filter(|_| asked);
+            let mut expected = Hit::none_before(ray.t_max);
+            if asked {
+                let box_ray = BoxRay::new(ray, instance.padding);
+                single.test(&ClosestHit, instance, ray, &box_ray, &mut expected);
+            }
             let found = best[place_in_slice];
-            assert!(
-                found.same_bits(&expected.unwrap_or(Hit::none_before(ray.t_max))),
-                "{single:?}: {ray:?} {found:?} {expected:?}"
-            );
-            assert_eq!(blocked[place_in_slice], expected.is_some());
-            hits += usize::from(expected.is_some());
+            assert!(found.same_bits(&expected), "{single:?}: {ray:?} {found:?} {expected:?}");
+            assert_eq!(blocked[place_in_slice], expected.is_hit());
+            hits += usize::from(expected.is_hit());
         }
         assert!(hits > 200, "{single:?}: only {hits} hits");
     }

@@ -7,17 +7,26 @@
 
 use glam::{DVec3, Vec3, Vec3A};
 
-use crate::accel::ScaledHit;
-use crate::math::{Aabb, Ray, UNIT_ROUNDOFF};
-use crate::simd::{Lanes, Lanes3, cross, dot, sub};
+use crate::accel::PackHits;
+use crate::math::{Aabb, Lanes, Lanes3, Ray, UNIT_ROUNDOFF, cross, dot, sub, within};
 
 use super::SurfacePoint;
 
-/// Möller-Trumbore up to the division.
-///
-/// The ray is inside the triangle if `u ≥ 0`, `v ≥ 0` and `u + v ≤ det`; then it is hit at
-/// `t / det`. Degenerate triangles have `det = 0` and an infinite or undefined `t / det`. NaNs
-/// fail every comparison.
+/// The ray's hit on the triangle's plane, times the determinant.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ScaledHit<L> {
+    /// Barycentric weight of the second corner, times `det`.
+    pub(super) u: L,
+    /// Barycentric weight of the third corner, times `det`.
+    pub(super) v: L,
+    /// Ray parameter, times `det`.
+    pub(super) t: L,
+    /// The determinant's absolute value. Degenerate triangles have 0, and an infinite or undefined
+    /// `t / det`.
+    pub(super) det: L,
+}
+
+/// Möller-Trumbore up to the division. NaNs fail every comparison.
 #[inline(always)]
 pub(super) fn scaled_hit<L: Lanes>(
     origin: Lanes3<L>,
@@ -35,6 +44,29 @@ pub(super) fn scaled_hit<L: Lanes>(
         v: dot(dir, q).flipped_by(det),
         t: dot(e2, q).flipped_by(det),
         det: det.abs(),
+    }
+}
+
+/// Whether weights that are scaled by `det` lie in the triangle, edges and corners included.
+#[inline(always)]
+fn inside<L: Lanes>(u: L, v: L, det: L) -> L::Mask {
+    let zero = L::splat(0.0);
+    zero.le(u) & zero.le(v) & (u + v).le(det)
+}
+
+impl<L: Lanes> ScaledHit<L> {
+    /// Whether the ray's line meets the triangle.
+    #[inline(always)]
+    pub(super) fn inside(&self) -> L::Mask {
+        inside(self.u, self.v, self.det)
+    }
+}
+
+impl<L: Lanes> From<ScaledHit<L>> for PackHits<L> {
+    #[inline(always)]
+    fn from(hit: ScaledHit<L>) -> Self {
+        let ScaledHit { u, v, t, det } = hit;
+        Self { inside: hit.inside(), t, u, v, scale: det }
     }
 }
 
@@ -91,11 +123,11 @@ impl Triangle {
             return None;
         }
         let v = dot(dir, q).flipped_by(det);
-        if !(v >= 0.0 && u + v <= size) {
+        if !inside(u, v, size) {
             return None;
         }
         let t = t / size;
-        (ray.t_min <= t && t <= ray.t_max).then(|| (t, u / size, v / size))
+        within(t, [ray.t_min, ray.t_max]).then(|| (t, u / size, v / size))
     }
 
     /// The point at barycentric weights `u` (second corner) and `v` (third corner).
@@ -130,6 +162,7 @@ fn clearance(e1: DVec3, e2: DVec3, double_area_recip: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::Mask as _;
 
     fn hit(origin: [f32; 3], dir: [f32; 3], t: &Triangle) -> Option<(f32, f32, f32)> {
         t.intersect(&Ray::new(origin.into(), dir.into()))
@@ -170,7 +203,7 @@ mod tests {
             let ray = Ray::new(origin, point() - origin);
             let rows = |v: Vec3| v.to_array().map(glam::Vec4::splat);
             let h = scaled_hit(rows(ray.origin), rows(ray.dir), rows(t.v0), rows(t.e1), rows(t.e2));
-            let inside = h.u[3] >= 0.0 && h.v[3] >= 0.0 && h.u[3] + h.v[3] <= h.det[3];
+            let inside = h.inside().bits() >> 3 & 1 != 0;
             let time = h.t[3] / h.det[3];
             let lanes = (inside && (0.0..=f32::MAX).contains(&time))
                 .then(|| (time, h.u[3] / h.det[3], h.v[3] / h.det[3]));

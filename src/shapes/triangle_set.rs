@@ -6,10 +6,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use glam::{DVec3, Vec3, Vec3A, Vec4};
 use rayon::prelude::*;
 
-use crate::accel::{Bounded, PACK, Packs, Primitives, ScaledHit};
+use crate::accel::{Bounded, PACK, PackHits, Packs, Primitives, Query, Search};
 use crate::counters::Counters;
-use crate::math::{Aabb, BoxRay, Hit, NONE, Padding, Ray};
-use crate::simd::{Lanes3, Row, Simd, ask_for_huge_pages, ones, prefetch, splat3};
+use crate::math::{
+    Aabb, BoxRay, Hit, Lanes as _, Lanes3, Mask as _, NONE, Padding, Ray, ones, within,
+};
+use crate::simd::{Row, Simd, ask_for_huge_pages, prefetch, splat3};
 
 use super::triangle::scaled_hit;
 use super::{MeshError, Triangle};
@@ -172,10 +174,6 @@ impl Bounded for TriangleSet {
         self.mean_vertex
     }
 
-    fn lanes(&self) -> u32 {
-        LANES as u32
-    }
-
     fn total_bounds(&self) -> Aabb {
         let bounds = (0..self.count).into_par_iter().map(|i| Bounded::bounds(self, i));
         bounds.reduce(|| Aabb::EMPTY, Aabb::union)
@@ -185,8 +183,8 @@ impl Bounded for TriangleSet {
 impl Primitives for TriangleSet {
     type Packs = Self;
 
-    fn packs(&self) -> Option<&Self> {
-        Some(self)
+    fn packs(&self) -> &Self {
+        self
     }
 
     fn padding(&self) -> Padding {
@@ -199,71 +197,51 @@ impl Primitives for TriangleSet {
     }
 
     #[inline]
-    fn intersect<C: Counters>(
+    fn test<Q: Query, C: Counters>(
         &self,
+        query: &Q,
         slots: Range<u32>,
         ray: &Ray,
         box_ray: &BoxRay,
-        best: &mut Hit,
+        answer: &mut Q::Answer,
         counters: &mut C,
     ) {
         counters.primitives(slots.len() as u32);
         let lane_ray = LaneRay::new(ray);
         self.any_half(slots, |half, mask| {
-            let candidates = half.candidates(&lane_ray, ray.t_min, best.t, mask);
-            if candidates.lanes != 0 {
-                half.update(&candidates, box_ray, best);
-            }
-            false
+            let end = query.end(ray, answer);
+            let candidates = half.candidates(&lane_ray, ray.t_min, end, mask);
+            candidates.lanes != 0 && half.record(query, &candidates, ray, box_ray, answer)
         });
-    }
-
-    #[inline]
-    fn occluded<C: Counters>(
-        &self,
-        slots: Range<u32>,
-        ray: &Ray,
-        box_ray: &BoxRay,
-        counters: &mut C,
-    ) -> bool {
-        counters.primitives(slots.len() as u32);
-        let lane_ray = LaneRay::new(ray);
-        self.any_half(slots, |half, mask| {
-            let candidates = half.candidates(&lane_ray, ray.t_min, ray.t_max, mask);
-            candidates.lanes != 0 && half.any_accepted(&candidates, box_ray)
-        })
     }
 }
 
 impl Packs for TriangleSet {
+    const GRAIN: u32 = LANES as u32;
+
     #[inline(always)]
-    fn of_pack<S: Simd>(
+    fn test_pack<S: Simd>(
         &self,
         pack: usize,
         origin: Lanes3<S::F8>,
         dir: Lanes3<S::F8>,
-    ) -> ScaledHit<S::F8> {
+    ) -> PackHits<S::F8> {
         let [v0, e1, e2] = self.packs[pack].rows::<S>();
-        scaled_hit(origin, dir, v0, e1, e2)
+        scaled_hit(origin, dir, v0, e1, e2).into()
     }
 
     #[inline(always)]
-    fn of_lane<S: Simd>(
+    fn test_lane<S: Simd>(
         &self,
         pack: usize,
         lane: usize,
         origin: Lanes3<S::F16>,
         dir: Lanes3<S::F16>,
-    ) -> ScaledHit<S::F16> {
+    ) -> PackHits<S::F16> {
         let triangle = self.packs[pack].triangle(lane);
         let [v0, e1, e2] = [triangle.v0, triangle.e1, triangle.e2];
-        scaled_hit(
-            origin,
-            dir,
-            splat3::<S::F16, _>(v0.to_array()),
-            splat3::<S::F16, _>(e1.to_array()),
-            splat3::<S::F16, _>(e2.to_array()),
-        )
+        scaled_hit(origin, dir, splat3(v0.to_array()), splat3(e1.to_array()), splat3(e2.to_array()))
+            .into()
     }
 
     #[inline(always)]
@@ -346,16 +324,21 @@ impl Half<'_> {
         let Pack { v0, e1, e2, .. } = self.pack;
         let hit = scaled_hit(ray.origin, ray.dir, self.rows(v0), self.rows(e1), self.rows(e2));
         let t = hit.t / hit.det;
-        let inside = hit.u.cmpge(Vec4::ZERO)
-            & hit.v.cmpge(Vec4::ZERO)
-            & (hit.u + hit.v).cmple(hit.det)
-            & t.cmpge(Vec4::splat(t_min))
-            & t.cmple(Vec4::splat(t_max));
-        Candidates { t, u: hit.u, v: hit.v, det: hit.det, lanes: inside.bitmask() & mask }
+        let in_reach = within(t, [Vec4::splat(t_min), Vec4::splat(t_max)]);
+        let lanes = (hit.inside() & in_reach).bits() & mask;
+        Candidates { t, u: hit.u, v: hit.v, det: hit.det, lanes }
     }
 
+    /// Records the candidates that count. Returns whether the search is over.
     #[inline]
-    fn update(&self, candidates: &Candidates, box_ray: &BoxRay, best: &mut Hit) {
+    fn record<Q: Query>(
+        &self,
+        query: &Q,
+        candidates: &Candidates,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        answer: &mut Q::Answer,
+    ) -> bool {
         for lane in ones(candidates.lanes) {
             let det = candidates.det[lane];
             let hit = Hit {
@@ -365,20 +348,23 @@ impl Half<'_> {
                 u: candidates.u[lane] / det,
                 v: candidates.v[lane] / det,
             };
-            if hit.precedes(best) && box_ray.accepts(&self.bounds(lane), hit.t) {
-                *best = hit;
+            // What another lane has cut off meanwhile need not be looked at.
+            if hit.t <= query.end(ray, answer)
+                && box_ray.accepts(&self.bounds(lane), hit.t)
+                && query.accepts(ray, &hit)
+            {
+                query.record(answer, &hit);
+                if const { matches!(Q::SEARCH, Search::First) } {
+                    return true;
+                }
             }
         }
+        false
     }
 
     #[inline(always)]
     fn bounds(&self, lane: usize) -> Aabb {
         self.pack.triangle(self.first + lane).bounds()
-    }
-
-    #[inline]
-    fn any_accepted(&self, candidates: &Candidates, box_ray: &BoxRay) -> bool {
-        ones(candidates.lanes).any(|lane| box_ray.accepts(&self.bounds(lane), candidates.t[lane]))
     }
 }
 

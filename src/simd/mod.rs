@@ -1,14 +1,13 @@
-//! Lanes of `f32`, and the instruction sets that compute with them.
+//! The instruction sets that compute with lanes of `f32`.
 //!
-//! Formulas are written once, over [`Lanes`]. Kernels that need more (loads, masks, the packing of
+//! Formulas are written once, over [`Lanes`](crate::math::Lanes). Kernels that need more (loads, stores, the packing of
 //! what a mask keeps) are written once, over [`Simd`], and run with the widest instruction set
-//! that the processor has: see [`dispatch`]. This is the only layer with `unsafe` code.
+//! that the processor has: see [`dispatch`]. With `embree`, this is the only layer with `unsafe` code.
 
 #![allow(unsafe_code, reason = "the only layer that may, block by block")]
 
 mod huge_pages;
 mod isa;
-mod lanes;
 mod pair;
 mod portable;
 mod prefetch;
@@ -18,6 +17,5 @@ mod x86;
 
 pub use huge_pages::ask_for_huge_pages;
 pub use isa::{Isa, IsaError, Kernel, dispatch};
-pub use lanes::{Lanes, Lanes3, cross, dot, ones, sub};
 pub use prefetch::prefetch;
-pub use row::{LANES, Mask, Row, Simd, splat3};
+pub use row::{LANES, Row, Simd, splat3};

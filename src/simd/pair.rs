@@ -2,7 +2,9 @@
 
 use std::ops::{Add, BitAnd, Div, Mul, Sub};
 
-use super::{Lanes, Mask, Row};
+use crate::math::{Lanes, Mask};
+
+use super::Row;
 
 /// The lower and the upper half.
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +43,12 @@ impl<R: Div<Output = R>> Div for Pair<R> {
 }
 
 impl<R: Lanes> Lanes for Pair<R> {
+    type Mask = PairMask<R::Mask>;
+
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        Self(R::splat(value), R::splat(value))
+    }
     #[inline(always)]
     fn abs(self) -> Self {
         Self(self.0.abs(), self.1.abs())
@@ -53,13 +61,34 @@ impl<R: Lanes> Lanes for Pair<R> {
     fn sqrt(self) -> Self {
         Self(self.0.sqrt(), self.1.sqrt())
     }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(self.0.min(other.0), self.1.min(other.1))
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(self.0.max(other.0), self.1.max(other.1))
+    }
+    #[inline(always)]
+    fn le(self, other: Self) -> Self::Mask {
+        PairMask(self.0.le(other.0), self.1.le(other.1))
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> Self::Mask {
+        PairMask(self.0.lt(other.0), self.1.lt(other.1))
+    }
+    #[inline(always)]
+    fn select(self, mask: u32, other: Self) -> Self {
+        let upper = mask >> R::Mask::LANES;
+        Self(self.0.select(mask, other.0), self.1.select(upper, other.1))
+    }
 }
 
-/// The masks of both halves, of which the lower has `HALF` lanes.
+/// The masks of both halves.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PairMask<M, const HALF: u32>(M, M);
+pub(super) struct PairMask<M>(M, M);
 
-impl<M: Mask, const HALF: u32> BitAnd for PairMask<M, HALF> {
+impl<M: Mask> BitAnd for PairMask<M> {
     type Output = Self;
     #[inline(always)]
     fn bitand(self, other: Self) -> Self {
@@ -67,22 +96,18 @@ impl<M: Mask, const HALF: u32> BitAnd for PairMask<M, HALF> {
     }
 }
 
-impl<M: Mask, const HALF: u32> Mask for PairMask<M, HALF> {
+impl<M: Mask> Mask for PairMask<M> {
+    const LANES: u32 = 2 * M::LANES;
+
     #[inline(always)]
     fn bits(self) -> u32 {
-        self.0.bits() | self.1.bits() << HALF
+        self.0.bits() | self.1.bits() << M::LANES
     }
 }
 
 macro_rules! row_of_two {
     ($half:literal, $whole:literal) => {
         impl<R: Row<$half>> Row<$whole> for Pair<R> {
-            type Mask = PairMask<R::Mask, $half>;
-
-            #[inline(always)]
-            fn splat(value: f32) -> Self {
-                Self(R::splat(value), R::splat(value))
-            }
             #[inline(always)]
             fn load(values: &[f32; $whole]) -> Self {
                 let (halves, _) = values.as_chunks::<$half>();
@@ -98,26 +123,6 @@ macro_rules! row_of_two {
                 let (halves, _) = values.as_chunks_mut::<$half>();
                 self.0.store(&mut halves[0]);
                 self.1.store(&mut halves[1]);
-            }
-            #[inline(always)]
-            fn min(self, other: Self) -> Self {
-                Self(self.0.min(other.0), self.1.min(other.1))
-            }
-            #[inline(always)]
-            fn max(self, other: Self) -> Self {
-                Self(self.0.max(other.0), self.1.max(other.1))
-            }
-            #[inline(always)]
-            fn le(self, other: Self) -> Self::Mask {
-                PairMask(self.0.le(other.0), self.1.le(other.1))
-            }
-            #[inline(always)]
-            fn lt(self, other: Self) -> Self::Mask {
-                PairMask(self.0.lt(other.0), self.1.lt(other.1))
-            }
-            #[inline(always)]
-            fn select(self, mask: u32, other: Self) -> Self {
-                Self(self.0.select(mask, other.0), self.1.select(mask >> $half, other.1))
             }
             #[inline(always)]
             fn smallest(self) -> f32 {

@@ -1,28 +1,17 @@
 //! Every processor's instruction set: what glam makes of four floats (SSE2, NEON), and loops.
 
-use glam::{BVec4A, Vec4};
+use glam::Vec4;
+
+use crate::math::{Lanes as _, Mask as _};
 
 use super::pair::Pair;
-use super::{LANES, Mask, Row, Simd};
+use super::{LANES, Row, Simd};
 
 /// Four floats at a time, nothing fused.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Portable;
 
-impl Mask for BVec4A {
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        self.bitmask()
-    }
-}
-
 impl Row<4> for Vec4 {
-    type Mask = BVec4A;
-
-    #[inline(always)]
-    fn splat(value: f32) -> Self {
-        Vec4::splat(value)
-    }
     #[inline(always)]
     fn load(values: &[f32; 4]) -> Self {
         Vec4::from_array(*values)
@@ -34,28 +23,6 @@ impl Row<4> for Vec4 {
     #[inline(always)]
     fn store(self, values: &mut [f32; 4]) {
         *values = self.to_array();
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        Vec4::min(self, other)
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        Vec4::max(self, other)
-    }
-    #[inline(always)]
-    fn le(self, other: Self) -> BVec4A {
-        self.cmple(other)
-    }
-    #[inline(always)]
-    fn lt(self, other: Self) -> BVec4A {
-        self.cmplt(other)
-    }
-    #[inline(always)]
-    fn select(self, mask: u32, other: Self) -> Self {
-        let lane = |i: u32| mask >> i & 1 != 0;
-        let mask = BVec4A::new(lane(0), lane(1), lane(2), lane(3));
-        Vec4::select(mask, self, other)
     }
     #[inline(always)]
     fn smallest(self) -> f32 {

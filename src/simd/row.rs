@@ -1,42 +1,15 @@
 //! What a kernel asks of an instruction set.
 
-use std::ops::BitAnd;
+use crate::math::{Lanes, Lanes3, Mask as _};
 
-use super::{Lanes, Lanes3};
-
-/// A yes or no for each lane of a row.
-pub trait Mask: Copy + BitAnd<Output = Self> {
-    /// As bits, lane 0 the lowest.
-    fn bits(self) -> u32;
-}
-
-/// A row of `N` floats.
-///
-/// Rows must not pass through functions that are not `#[inline(always)]`, closures among them, nor
-/// through the standard library's combinators: these are compiled without the instruction set, and
-/// a call that hands over a row is not inlined.
+/// `N` lanes that are loaded from memory and stored to it.
 pub trait Row<const N: usize>: Lanes {
-    /// What comparisons give.
-    type Mask: Mask;
-
-    /// The same value in every lane.
-    fn splat(value: f32) -> Self;
     /// The values of an array.
     fn load(values: &[f32; N]) -> Self;
     /// The values whose bits stand in an array.
     fn load_bits(bits: &[u32; N]) -> Self;
     /// Writes the lanes to an array.
     fn store(self, values: &mut [f32; N]);
-    /// The smaller ones, lane by lane; of numbers alone.
-    fn min(self, other: Self) -> Self;
-    /// The larger ones, lane by lane; of numbers alone.
-    fn max(self, other: Self) -> Self;
-    /// Where `self ≤ other`; false where either is NaN.
-    fn le(self, other: Self) -> Self::Mask;
-    /// Where `self < other`; false where either is NaN.
-    fn lt(self, other: Self) -> Self::Mask;
-    /// `self` where the bits have a one, `other` elsewhere.
-    fn select(self, mask: u32, other: Self) -> Self;
     /// The smallest lane; of numbers alone.
     fn smallest(self) -> f32;
     /// The largest lane; of numbers alone.
@@ -54,7 +27,7 @@ pub trait Row<const N: usize>: Lanes {
 
 /// The same vector in every lane.
 #[inline(always)]
-pub fn splat3<R: Row<N>, const N: usize>([x, y, z]: [f32; 3]) -> Lanes3<R> {
+pub fn splat3<R: Lanes>([x, y, z]: [f32; 3]) -> Lanes3<R> {
     [R::splat(x), R::splat(y), R::splat(z)]
 }
 

@@ -11,8 +11,10 @@ use std::arch::asm;
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, Div, Mul, Sub};
 
+use crate::math::{Lanes, Mask};
+
 use super::pair::Pair;
-use super::{Kernel, Lanes, Mask, Row, Simd};
+use super::{Kernel, Row, Simd};
 
 /// AVX2 with fused multiply-add.
 #[derive(Clone, Copy, Debug)]
@@ -119,6 +121,8 @@ impl BitAnd for Signs {
 }
 
 impl Mask for Signs {
+    const LANES: u32 = 8;
+
     #[inline(always)]
     fn bits(self) -> u32 {
         op!(sign_bits(self.0))
@@ -126,7 +130,7 @@ impl Mask for Signs {
 }
 
 macro_rules! bits {
-    ($mask:ident) => {
+    ($mask:ident, $lanes:literal) => {
         impl BitAnd for $mask {
             type Output = Self;
             #[inline(always)]
@@ -135,6 +139,8 @@ macro_rules! bits {
             }
         }
         impl Mask for $mask {
+            const LANES: u32 = $lanes;
+
             #[inline(always)]
             fn bits(self) -> u32 {
                 u32::from(self.0)
@@ -143,8 +149,8 @@ macro_rules! bits {
     };
 }
 
-bits!(EightBits);
-bits!(SixteenBits);
+bits!(EightBits, 8);
+bits!(SixteenBits, 16);
 
 macro_rules! arithmetic {
     ($row:ident, $add:ident, $sub:ident, $mul:ident, $div:ident) => {
@@ -184,8 +190,17 @@ arithmetic!(MaskedEight, _mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps, _mm256_div
 arithmetic!(Sixteen, _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps);
 
 macro_rules! lanes {
-    ($row:ident, $set:ident, $and:ident, $andnot:ident, $xor:ident, $sqrt:ident) => {
+    (
+        $row:ident, $mask:ident, $compare:ident, $select:ident,
+        [$set:ident, $and:ident, $andnot:ident, $xor:ident, $sqrt:ident, $min:ident, $max:ident]
+    ) => {
         impl Lanes for $row {
+            type Mask = $mask;
+
+            #[inline(always)]
+            fn splat(value: f32) -> Self {
+                Self(op!($set(value)))
+            }
             #[inline(always)]
             fn abs(self) -> Self {
                 Self(op!($andnot($set(-0.0), self.0)))
@@ -198,23 +213,104 @@ macro_rules! lanes {
             fn sqrt(self) -> Self {
                 Self(op!($sqrt(self.0)))
             }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                Self(op!($min(self.0, other.0)))
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                Self(op!($max(self.0, other.0)))
+            }
+            #[inline(always)]
+            fn le(self, other: Self) -> $mask {
+                $mask(op!($compare::<_CMP_LE_OQ>(self.0, other.0)))
+            }
+            #[inline(always)]
+            fn lt(self, other: Self) -> $mask {
+                $mask(op!($compare::<_CMP_LT_OQ>(self.0, other.0)))
+            }
+            #[inline(always)]
+            fn select(self, mask: u32, other: Self) -> Self {
+                Self($select(mask, self.0, other.0))
+            }
         }
     };
 }
 
-lanes!(Eight, _mm256_set1_ps, _mm256_and_ps, _mm256_andnot_ps, _mm256_xor_ps, _mm256_sqrt_ps);
-lanes!(MaskedEight, _mm256_set1_ps, _mm256_and_ps, _mm256_andnot_ps, _mm256_xor_ps, _mm256_sqrt_ps);
-lanes!(Sixteen, _mm512_set1_ps, _mm512_and_ps, _mm512_andnot_ps, _mm512_xor_ps, _mm512_sqrt_ps);
+/// All bits of the lanes that have a one in the mask.
+#[inline(always)]
+fn widened(mask: u32) -> __m256 {
+    op!({
+        let bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+        let of_lane = _mm256_and_si256(_mm256_set1_epi32(mask as i32), bits);
+        _mm256_castsi256_ps(_mm256_cmpeq_epi32(of_lane, bits))
+    })
+}
+
+#[inline(always)]
+fn select_by_signs(mask: u32, a: __m256, b: __m256) -> __m256 {
+    op!(_mm256_blendv_ps(b, a, widened(mask)))
+}
+
+#[inline(always)]
+fn select_by_mask(mask: u32, a: __m256, b: __m256) -> __m256 {
+    op!(_mm256_mask_mov_ps(b, mask as u8, a))
+}
+
+#[inline(always)]
+fn select_sixteen(mask: u32, a: __m512, b: __m512) -> __m512 {
+    op!(_mm512_mask_mov_ps(b, mask as u16, a))
+}
+
+lanes!(
+    Eight,
+    Signs,
+    _mm256_cmp_ps,
+    select_by_signs,
+    [
+        _mm256_set1_ps,
+        _mm256_and_ps,
+        _mm256_andnot_ps,
+        _mm256_xor_ps,
+        _mm256_sqrt_ps,
+        _mm256_min_ps,
+        _mm256_max_ps
+    ]
+);
+lanes!(
+    MaskedEight,
+    EightBits,
+    _mm256_cmp_ps_mask,
+    select_by_mask,
+    [
+        _mm256_set1_ps,
+        _mm256_and_ps,
+        _mm256_andnot_ps,
+        _mm256_xor_ps,
+        _mm256_sqrt_ps,
+        _mm256_min_ps,
+        _mm256_max_ps
+    ]
+);
+lanes!(
+    Sixteen,
+    SixteenBits,
+    _mm512_cmp_ps_mask,
+    select_sixteen,
+    [
+        _mm512_set1_ps,
+        _mm512_and_ps,
+        _mm512_andnot_ps,
+        _mm512_xor_ps,
+        _mm512_sqrt_ps,
+        _mm512_min_ps,
+        _mm512_max_ps
+    ]
+);
 
 macro_rules! eight {
-    ($row:ident, $mask:ident, $cmp:ident, $select:ident) => {
+    ($row:ident) => {
         impl Row<8> for $row {
-            type Mask = $mask;
-
-            #[inline(always)]
-            fn splat(value: f32) -> Self {
-                Self(op!(_mm256_set1_ps(value)))
-            }
             #[inline(always)]
             fn load(values: &[f32; 8]) -> Self {
                 Self(op!(_mm256_loadu_ps(values.as_ptr())))
@@ -226,26 +322,6 @@ macro_rules! eight {
             #[inline(always)]
             fn store(self, values: &mut [f32; 8]) {
                 op!(_mm256_storeu_ps(values.as_mut_ptr(), self.0));
-            }
-            #[inline(always)]
-            fn min(self, other: Self) -> Self {
-                Self(op!(_mm256_min_ps(self.0, other.0)))
-            }
-            #[inline(always)]
-            fn max(self, other: Self) -> Self {
-                Self(op!(_mm256_max_ps(self.0, other.0)))
-            }
-            #[inline(always)]
-            fn le(self, other: Self) -> $mask {
-                $mask(op!($cmp::<_CMP_LE_OQ>(self.0, other.0)))
-            }
-            #[inline(always)]
-            fn lt(self, other: Self) -> $mask {
-                $mask(op!($cmp::<_CMP_LT_OQ>(self.0, other.0)))
-            }
-            #[inline(always)]
-            fn select(self, mask: u32, other: Self) -> Self {
-                Self($select(mask, self.0, other.0))
             }
             #[inline(always)]
             fn smallest(self) -> f32 {
@@ -273,36 +349,10 @@ macro_rules! eight {
     };
 }
 
-/// All bits of the lanes that have a one in the mask.
-#[inline(always)]
-fn widened(mask: u32) -> __m256 {
-    op!({
-        let bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-        let of_lane = _mm256_and_si256(_mm256_set1_epi32(mask as i32), bits);
-        _mm256_castsi256_ps(_mm256_cmpeq_epi32(of_lane, bits))
-    })
-}
-
-#[inline(always)]
-fn select_by_signs(mask: u32, a: __m256, b: __m256) -> __m256 {
-    op!(_mm256_blendv_ps(b, a, widened(mask)))
-}
-
-#[inline(always)]
-fn select_by_mask(mask: u32, a: __m256, b: __m256) -> __m256 {
-    op!(_mm256_mask_mov_ps(b, mask as u8, a))
-}
-
-eight!(Eight, Signs, _mm256_cmp_ps, select_by_signs);
-eight!(MaskedEight, EightBits, _mm256_cmp_ps_mask, select_by_mask);
+eight!(Eight);
+eight!(MaskedEight);
 
 impl Row<16> for Sixteen {
-    type Mask = SixteenBits;
-
-    #[inline(always)]
-    fn splat(value: f32) -> Self {
-        Self(op!(_mm512_set1_ps(value)))
-    }
     #[inline(always)]
     fn load(values: &[f32; 16]) -> Self {
         Self(op!(_mm512_loadu_ps(values.as_ptr())))
@@ -314,26 +364,6 @@ impl Row<16> for Sixteen {
     #[inline(always)]
     fn store(self, values: &mut [f32; 16]) {
         op!(_mm512_storeu_ps(values.as_mut_ptr(), self.0));
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        Self(op!(_mm512_min_ps(self.0, other.0)))
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        Self(op!(_mm512_max_ps(self.0, other.0)))
-    }
-    #[inline(always)]
-    fn le(self, other: Self) -> SixteenBits {
-        SixteenBits(op!(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(self.0, other.0)))
-    }
-    #[inline(always)]
-    fn lt(self, other: Self) -> SixteenBits {
-        SixteenBits(op!(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(self.0, other.0)))
-    }
-    #[inline(always)]
-    fn select(self, mask: u32, other: Self) -> Self {
-        Self(op!(_mm512_mask_mov_ps(other.0, mask as u16, self.0)))
     }
     #[inline(always)]
     fn smallest(self) -> f32 {

@@ -10,7 +10,7 @@
 use std::f64::consts::TAU;
 
 use glam::{DMat3, DVec3};
-use srt::accel::BuildConfig;
+use srt::accel::{Answers, BuildConfig, Scratch};
 use srt::math::{Hit, Random, Ray};
 use srt::scene::{Form, Scene, structure_named};
 
@@ -59,7 +59,7 @@ fn leaks(scene: &Scene, rays: &[Ray]) -> usize {
     let bvh = structure_named("bvh").expect("bvh exists");
     let world = bvh.build(scene, &BuildConfig::default());
     let mut hits = vec![Hit::MISS; rays.len()];
-    world.intersect(rays, &mut hits, None);
+    world.trace(rays, Answers::ClosestHit(&mut hits), &mut Scratch::default(), None);
     let outside = |ray: &Ray, hit: &Hit| hit.is_hit() && !scene.surface(ray, hit).from_inside;
     rays.iter().zip(&hits).filter(|(ray, hit)| !outside(ray, hit)).count()
 }

@@ -2,7 +2,7 @@
 
 use std::ops::{ControlFlow, Range};
 
-use srt::accel::{Accel, Bounded, BuildConfig, Built, StructureShape};
+use srt::accel::{Accel, Bounded, Build, Built};
 use srt::counters::Counters;
 use srt::math::{Aabb, BoxRay, Ray};
 
@@ -13,7 +13,7 @@ pub(crate) struct Shrunken {
 }
 
 impl Accel for Shrunken {
-    fn build(primitives: &impl Bounded, _: &BuildConfig) -> Built<Self> {
+    fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
         let shrunken = |i| {
             let Aabb { min, max } = primitives.bounds(i);
             let margin = 0.025 * (max - min);
@@ -43,8 +43,8 @@ impl Accel for Shrunken {
         }
     }
 
-    fn shape(&self) -> StructureShape {
-        StructureShape::default()
+    fn bytes(&self) -> u64 {
+        0
     }
 }
 
@@ -52,7 +52,7 @@ impl Accel for Shrunken {
 pub(crate) struct Panicking<const IN_BUILD: bool>;
 
 impl<const IN_BUILD: bool> Accel for Panicking<IN_BUILD> {
-    fn build(_: &impl Bounded, _: &BuildConfig) -> Built<Self> {
+    fn build(_: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
         assert!(!IN_BUILD, "on purpose");
         Built { accel: Self, order: None }
     }
@@ -67,7 +67,7 @@ impl<const IN_BUILD: bool> Accel for Panicking<IN_BUILD> {
         panic!("on purpose");
     }
 
-    fn shape(&self) -> StructureShape {
-        StructureShape::default()
+    fn bytes(&self) -> u64 {
+        0
     }
 }

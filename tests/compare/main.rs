@@ -13,7 +13,7 @@ use std::time::Duration;
 
 use broken::{Panicking, Shrunken};
 use slow::Forgetful;
-use srt::accel::{Accel, Bounded, BuildConfig, Built, Bvh, StructureShape};
+use srt::accel::{Accel, Bounded, Build, Built, Bvh};
 use srt::assets::generate::Kind;
 use srt::compare::{Observer, Outcome, Plan, SceneInput, Silent, SweepPlan, run};
 use srt::counters::Counters;
@@ -160,8 +160,8 @@ struct Listening(Bvh);
 static HEARD: AtomicU64 = AtomicU64::new(0);
 
 impl Accel for Listening {
-    fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self> {
-        let built = Bvh::build(primitives, config);
+    fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
+        let built = Bvh::build(primitives, build);
         Built { accel: Self(built.accel), order: built.order }
     }
 
@@ -178,8 +178,8 @@ impl Accel for Listening {
         self.0.traverse(ray, box_ray, counters, leaf);
     }
 
-    fn shape(&self) -> StructureShape {
-        self.0.shape()
+    fn bytes(&self) -> u64 {
+        self.0.bytes()
     }
 }
 

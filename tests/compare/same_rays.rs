@@ -4,9 +4,7 @@
 use std::ops::{ControlFlow, Range};
 use std::sync::{Mutex, PoisonError};
 
-use srt::accel::{
-    Accel, Bounded, BuildConfig, Built, Bvh, CompressedWideBvh, Exhaustive, StructureShape,
-};
+use srt::accel::{Accel, Bounded, Build, Built, Bvh, CompressedWideBvh, Exhaustive};
 use srt::compare::{Observer, Plan, run};
 use srt::counters::Counters;
 use srt::math::{BoxRay, Ray};
@@ -29,8 +27,8 @@ fn take(number: usize) -> Vec<Bits> {
 struct Noting<A, const NUMBER: usize>(A);
 
 impl<A: Accel, const NUMBER: usize> Accel for Noting<A, NUMBER> {
-    fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self> {
-        let Built { accel, order } = A::build(primitives, config);
+    fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
+        let Built { accel, order } = A::build(primitives, build);
         Built { accel: Self(accel), order }
     }
 
@@ -47,8 +45,8 @@ impl<A: Accel, const NUMBER: usize> Accel for Noting<A, NUMBER> {
         self.0.traverse(ray, box_ray, counters, leaf);
     }
 
-    fn shape(&self) -> StructureShape {
-        self.0.shape()
+    fn bytes(&self) -> u64 {
+        self.0.bytes()
     }
 }
 

@@ -5,7 +5,7 @@ use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use srt::accel::{Accel, Bounded, BuildConfig, Built, Exhaustive, StructureShape};
+use srt::accel::{Accel, Bounded, Build, Built, Exhaustive};
 use srt::compare::{Plan, Silent, run};
 use srt::counters::Counters;
 use srt::math::{BoxRay, Ray};
@@ -21,8 +21,8 @@ struct Slow<const MICROSECONDS: u64>(Exhaustive);
 static RAYS: AtomicU64 = AtomicU64::new(0);
 
 impl<const MICROSECONDS: u64> Accel for Slow<MICROSECONDS> {
-    fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self> {
-        let Built { accel, order } = Exhaustive::build(primitives, config);
+    fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
+        let Built { accel, order } = Exhaustive::build(primitives, build);
         Built { accel: Self(accel), order }
     }
 
@@ -41,8 +41,8 @@ impl<const MICROSECONDS: u64> Accel for Slow<MICROSECONDS> {
         self.0.traverse(ray, box_ray, counters, leaf);
     }
 
-    fn shape(&self) -> StructureShape {
-        self.0.shape()
+    fn bytes(&self) -> u64 {
+        self.0.bytes()
     }
 }
 
@@ -50,7 +50,7 @@ impl<const MICROSECONDS: u64> Accel for Slow<MICROSECONDS> {
 pub(crate) struct Forgetful(u32);
 
 impl Accel for Forgetful {
-    fn build(primitives: &impl Bounded, _: &BuildConfig) -> Built<Self> {
+    fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
         Built { accel: Self(primitives.count() / 2), order: None }
     }
 
@@ -64,8 +64,8 @@ impl Accel for Forgetful {
         let _ = leaf(0..self.0, counters);
     }
 
-    fn shape(&self) -> StructureShape {
-        StructureShape::default()
+    fn bytes(&self) -> u64 {
+        0
     }
 }
 

@@ -11,13 +11,12 @@ mod scenes;
 use glam::Vec3;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use srt::accel::{
-    Accel, BoundingBall, BuildConfig, Bvh, Bvh8, CompressedWideBvh, Exhaustive, Indexed, Quality,
-    Tracer,
+    Accel, Answers, BoundingBall, BuildConfig, Bvh, Bvh8, CompressedWideBvh, Exhaustive, Indexed,
+    Quality, Scratch, Tracer,
 };
 use srt::conformance::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
 use srt::conformance::axis_grids::grids_over;
 use srt::conformance::nasty_meshes::{self, Mesh};
-use srt::counters::NoCounters;
 use srt::math::{Hit, Ray};
 use srt::shapes::TriangleSet;
 
@@ -25,8 +24,8 @@ use srt::shapes::TriangleSet;
 fn trace(tracer: &dyn Tracer, rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
     let mut hits = vec![Hit::MISS; rays.len()];
     let mut blocked = vec![false; rays.len()];
-    tracer.intersect(rays, &mut hits, None);
-    tracer.occluded(rays, &mut blocked, None);
+    tracer.trace(rays, Answers::ClosestHit(&mut hits), &mut Scratch::default(), None);
+    tracer.trace(rays, Answers::AnyHit(&mut blocked), &mut Scratch::default(), None);
     (hits, blocked)
 }
 
@@ -201,7 +200,7 @@ fn a_tree_too_deep_for_the_stacks_of_the_kernels() {
         assert!(expected.1.iter().filter(|&&blocked| blocked).count() > rays.len() / 4);
         assert_equal("bvh8", &tree, rays, &expected);
         for (ray, hit) in rays.iter().zip(&expected.0) {
-            let alone = tree.closest(ray, &mut NoCounters);
+            let alone = tree.hit(ray);
             assert!(alone.same_bits(hit), "{ray:?}: {alone:?}, expected {hit:?}");
         }
     }

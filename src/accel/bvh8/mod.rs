@@ -2,44 +2,40 @@
 //!
 //! A binary tree with a primitive in each leaf (`binary.rs`) is collapsed at the least cost
 //! (`plan.rs`, `collapse.rs`). Slices of rays go down it in packets as long as they are coherent
-//! (`packet.rs`) and in waves where they are not (`wave.rs`); where primitives are not tested in
-//! packs, a stream of rays is brought to each node and to each primitive that any of them meets
-//! (`stream.rs`). A single ray is walked by [`Accel::traverse`], which is also the way of the rays
-//! that the kernels' terms cannot take.
+//! (`packet.rs`) and in waves where they are not (`wave.rs`), which `kernels.rs` decides; where
+//! primitives are not tested in packs, a stream of rays is brought to each node and to each primitive
+//! that any of them meets (`stream.rs`). A single ray is walked by [`Accel::traverse`]. So are the
+//! rays that the kernels' terms cannot take, and those of queries that want every hit.
 
-mod answer;
 mod binary;
 mod binned;
 mod collapse;
+mod diverged;
+mod kernels;
 mod node;
 mod packet;
-mod parked;
 mod plan;
 mod slab_ray;
 mod stream;
 mod wave;
 
-use std::cell::Cell;
 use std::ops::{ControlFlow, Range};
 
 use glam::Vec4;
 use smallvec::SmallVec;
 
 use crate::counters::Counters;
-use crate::math::{Aabb, BoxRay, Hit, Padding, Ray};
-use crate::simd::{Kernel, Simd, dispatch, prefetch};
+use crate::math::slab::crossing;
+use crate::math::{Aabb, BoxRay, Ray};
 
-use self::answer::Answer;
 use self::binary::binary_tree;
 use self::collapse::{Leaves, collapse};
 use self::node::{Child, FAR, Node, WIDTH, near_planes, order_shift};
-use self::packet::Outcome;
-use self::parked::Parked;
 use self::plan::Plan;
 use self::slab_ray::Sides;
+use super::build::obvhs_boxes;
 use super::{
-    Accel, Bounded, BuildConfig, BuildStages, Built, PACK, Packs as _, Primitives, StructureShape,
-    Tree, obvhs_boxes,
+    Accel, Bounded, Build, Built, PACK, Packs, Primitives, Query, Scratch, Search, Tree, search_one,
 };
 
 /// The stack lives with the call up to this height, and on the heap beyond.
@@ -48,9 +44,6 @@ const USUAL_HEIGHT: usize = 64;
 /// The most entries that the stacks of the kernels hold, a power of two: enough for trees of
 /// billions. In deeper ones, streams of rays are brought to each node.
 const HEIGHT: usize = 128;
-
-/// Bytes that a processor's caches hold, about.
-const CACHE: u64 = 1 << 25;
 
 /// A wide tree of boxes.
 #[derive(Clone, Debug)]
@@ -64,19 +57,11 @@ pub struct Bvh8 {
 }
 
 impl Accel for Bvh8 {
-    fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self> {
-        Self::build_in_stages(primitives, config, &mut BuildStages::default())
-    }
-
-    fn build_in_stages(
-        primitives: &impl Bounded,
-        config: &BuildConfig,
-        stages: &mut BuildStages,
-    ) -> Built<Self> {
-        let packed = primitives.lanes() > 1;
+    fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
+        let Build { config, grain, stages } = build;
         let leaves = Leaves {
             most: config.max_leaf.clamp(1, WIDTH as u32),
-            block: if packed { PACK } else { 1 },
+            block: if *grain > 1 { PACK } else { 1 },
         };
         if primitives.count() == 0 {
             let accel = Self { nodes: Vec::new(), block: leaves.block, need: 0 };
@@ -130,48 +115,30 @@ impl Accel for Bvh8 {
         }
     }
 
-    fn intersect_many<P: Primitives, C: Counters>(
+    fn search<P: Primitives, Q: Query, C: Counters>(
         &self,
+        query: &Q,
         primitives: &P,
         rays: &[Ray],
-        hits: &mut [Hit],
+        answers: &mut [Q::Answer],
+        scratch: &mut Scratch,
         counters: &mut C,
     ) {
-        self.answer(primitives, rays, hits, counters);
-    }
-
-    fn occluded_many<P: Primitives, C: Counters>(
-        &self,
-        primitives: &P,
-        rays: &[Ray],
-        answers: &mut [bool],
-        counters: &mut C,
-    ) {
-        self.answer(primitives, rays, answers, counters);
-    }
-
-    fn shape(&self) -> StructureShape {
-        let mut shape = StructureShape::default();
-        let mut open: Vec<_> = self.nodes.first().map(|root| (root, 0, 1.0)).into_iter().collect();
-        let root_area = self.nodes.first().map_or(0.0, |root| root.bounds().half_area());
-        let mut cost = 0.0;
-        // A node, its depth, and the share of the rays that meet it: by its area in the root's.
-        while let Some((node, depth, met)) = open.pop() {
-            shape.nodes += 1;
-            for (lane, child) in node.present() {
-                let share = node.child_bounds(lane).half_area() / root_area;
-                cost += met;
-                if child.is_leaf() {
-                    shape.add_leaf(child.count(), depth + 1);
-                    cost += share * f64::from(child.count());
-                } else {
-                    open.push((&self.nodes[child.index()], depth + 1, share));
-                }
+        let one_by_one =
+            const { <P::Packs as Packs>::GRAIN > 1 && matches!(Q::SEARCH, Search::All) };
+        if self.nodes.is_empty() || one_by_one {
+            for (ray, answer) in rays.iter().zip(answers) {
+                *answer = search_one(self, query, primitives, ray, counters);
             }
+        } else if const { <P::Packs as Packs>::GRAIN > 1 } && self.need < HEIGHT {
+            kernels::search(self, query, primitives, rays, answers, scratch, counters);
+        } else {
+            stream::search(self, query, primitives, rays, answers, scratch, counters);
         }
-        shape.sah_cost = (cost.is_finite() && shape.nodes > 0).then_some(cost);
-        shape.bytes = (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()) as u64;
-        shape
+    }
+
+    fn bytes(&self) -> u64 {
+        (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()) as u64
     }
 
     fn tree(&self) -> Option<Tree> {
@@ -186,26 +153,6 @@ impl Accel for Bvh8 {
             children.extend(node.present().map(|(lane, child)| (child, node.child_bounds(lane))));
             (bounds, 0..0)
         }))
-    }
-}
-
-impl Bvh8 {
-    /// Answers a slice of rays: in packets and waves where primitives are tested in packs, else in
-    /// streams. An empty tree has nothing to be hit.
-    fn answer<P: Primitives, A: Answer, C: Counters>(
-        &self,
-        primitives: &P,
-        rays: &[Ray],
-        answers: &mut [A],
-        counters: &mut C,
-    ) {
-        if self.nodes.is_empty() {
-            answers.fill(A::of(Hit::MISS));
-        } else if let Some(search) = Search::new(self, primitives) {
-            dispatch(Trace { search, rays, answers, counters });
-        } else {
-            dispatch(stream::Trace { tree: self, primitives, rays, answers, counters });
-        }
     }
 }
 
@@ -255,8 +202,8 @@ impl WideRay {
                 let place = self.near_planes[axis];
                 let near = planes_of_half(node, place, half);
                 let far = planes_of_half(node, place ^ FAR, half);
-                begin = begin.max((near - self.origins[axis][0]) * self.inv_dir[axis]);
-                leave = leave.min((far - self.origins[axis][1]) * self.inv_dir[axis]);
+                begin = begin.max(crossing(near, self.origins[axis][0], self.inv_dir[axis]));
+                leave = leave.min(crossing(far, self.origins[axis][1], self.inv_dir[axis]));
             }
             begin.write_to_slice(&mut begins[half..]);
             entered |= begin.cmple(leave).bitmask() << half;
@@ -269,114 +216,4 @@ impl WideRay {
 fn planes_of_half(node: &Node, place: u32, half: usize) -> Vec4 {
     let plane = |lane: usize| node.plane(place, half + lane);
     Vec4::new(plane(0), plane(1), plane(2), plane(3))
-}
-
-/// What a kernel searches.
-struct Search<'a, P: Primitives> {
-    tree: &'a Bvh8,
-    primitives: &'a P,
-    packs: &'a P::Packs,
-    padding: Padding,
-    /// Whether nodes and packs do not fit into the caches, so that rays ask for what they are about
-    /// to read.
-    large: bool,
-}
-
-impl<'a, P: Primitives> Search<'a, P> {
-    /// What the kernels take, if they can: not primitives without packs, nor a tree so deep that it
-    /// would need higher stacks than theirs.
-    fn new(tree: &'a Bvh8, primitives: &'a P) -> Option<Self> {
-        let packs = primitives.packs()?;
-        let bytes = size_of_val(&tree.nodes[..]) as u64 + packs.bytes();
-        let padding = primitives.padding();
-        (tree.need < HEIGHT).then_some(Self {
-            tree,
-            primitives,
-            packs,
-            padding,
-            large: bytes > CACHE,
-        })
-    }
-
-    /// Asks the caches for what will be visited soon.
-    #[inline(always)]
-    fn prefetch(&self, child: Child) {
-        if child.is_leaf() {
-            self.packs.prefetch(child.block());
-        } else {
-            prefetch(&self.tree.nodes[child.index()]);
-        }
-    }
-}
-
-/// The kernels' memory.
-#[derive(Default)]
-struct Scratch {
-    wave: wave::Scratch,
-    packet: packet::Stack,
-    /// Rays that go down in waves, by their place in the slice: from the root, and from where their
-    /// packet has parted.
-    scattered: Vec<u32>,
-    parked: Parked,
-}
-
-/// Rays that are traced together: few enough to stay in a core's cache.
-const AT_ONCE: usize = 4096;
-
-impl Scratch {
-    /// Rays go down by sixteens where and as long as they are coherent, and else in waves.
-    #[inline(always)]
-    fn trace<S: Simd, P: Primitives, A: Answer, C: Counters>(
-        &mut self,
-        search: &Search<'_, P>,
-        rays: &[Ray],
-        answers: &mut [A],
-        counters: &mut C,
-    ) {
-        let Self { wave, packet, scattered, parked } = self;
-        scattered.clear();
-        parked.clear();
-        let (packets, rest) = rays.as_chunks::<{ packet::RAYS }>();
-        let (of_packets, _) = answers.as_chunks_mut::<{ packet::RAYS }>();
-        for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
-            let first = (number * packet::RAYS) as u32;
-            let numbered = (first, rays);
-            let outcome = packet::search::<S, P, A, C, false>(
-                search, numbered, answers, packet, parked, counters,
-            );
-            if outcome == Outcome::Mixed {
-                scattered.extend(first..first + packet::RAYS as u32);
-            }
-        }
-        scattered.extend((rays.len() - rest.len()) as u32..rays.len() as u32);
-        let waiting = (&scattered[..], &*parked);
-        wave::search::<S, P, A, C>(search, rays, waiting, answers, wave, counters);
-    }
-}
-
-thread_local! {
-    /// Kept from call to call; absent while used.
-    static SCRATCH: Cell<Option<Box<Scratch>>> = const { Cell::new(None) };
-}
-
-/// What is asked of a slice of rays.
-struct Trace<'a, P: Primitives, A, C> {
-    search: Search<'a, P>,
-    rays: &'a [Ray],
-    answers: &'a mut [A],
-    counters: &'a mut C,
-}
-
-impl<P: Primitives, A: Answer, C: Counters> Kernel for Trace<'_, P, A, C> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        let Self { search, rays, answers, counters } = self;
-        let mut scratch = SCRATCH.take().unwrap_or_default();
-        for (rays, answers) in rays.chunks(AT_ONCE).zip(answers.chunks_mut(AT_ONCE)) {
-            scratch.trace::<S, P, A, C>(&search, rays, answers, counters);
-        }
-        SCRATCH.set(Some(scratch));
-    }
 }

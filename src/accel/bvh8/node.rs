@@ -2,8 +2,8 @@
 
 use glam::Vec3A;
 
-use crate::math::Aabb;
-use crate::simd::{Lanes3, Row, Simd};
+use crate::math::{Aabb, Lanes as _, Lanes3};
+use crate::simd::{Row, Simd};
 
 /// Children of a node.
 pub(super) const WIDTH: usize = 8;

@@ -7,22 +7,22 @@
 //! each lane. After Boulos, Wald, Shirley: *Geometric and Arithmetic Culling Methods for Entire Ray
 //! Packets*, 2006.
 
-use crate::accel::{PACK, Packs, Primitives};
+use crate::accel::{PACK, PackHits, Packs, Primitives, Query, Search};
 use crate::counters::Counters;
-use crate::math::{Hit, NONE, Padding, Ray};
-use crate::simd::{Kernel, Lanes, Lanes3, Mask, Row, Simd, dispatch, ones};
+use crate::math::slab::{crossing, cut_to_finite};
+use crate::math::{Hit, Lanes, Lanes3, Mask as _, NONE, Padding, Ray, ones, within};
+use crate::simd::{Kernel, Row, Simd, dispatch};
 
 use super::HEIGHT;
-use super::Search;
-use super::answer::Answer;
+use super::diverged::Diverged;
+use super::kernels::Task;
 use super::node::{Child, FAR, Node, near_planes, order_shift};
-use super::parked::Parked;
-use super::slab_ray::{CUT_PRODUCT, FARTHEST, LARGEST_PRODUCT, SLACK};
+use super::slab_ray::{LARGEST_PRODUCT, SlabTerms};
 
 /// Rays of a packet.
 pub(super) const RAYS: usize = crate::simd::LANES;
 
-/// The stack of a packet, kept from call to call.
+/// The stack of a packet.
 pub(super) struct Stack {
     /// What is to be visited, and by which rays.
     entries: [(Child, u32); HEIGHT],
@@ -65,13 +65,13 @@ struct Hull<S: Simd> {
 }
 
 /// The best hits so far.
-pub(super) struct Best<R> {
+struct Best<R> {
     t: R,
     u: R,
     v: R,
     prim: [u32; RAYS],
     /// A bit for each ray that has hit something.
-    pub(super) hit: u32,
+    hit: u32,
 }
 
 impl<S: Simd> Packet<S> {
@@ -91,7 +91,7 @@ impl<S: Simd> Packet<S> {
             mixed |= backwards != 0 && backwards != ALL;
             octant |= (backwards & 1) << axis;
         }
-        let pad = Self::pad(&origin, padding);
+        let pad = padding.of_rays(origin[0].abs().max(origin[1].abs()).max(origin[2].abs()));
         let mut packet = Self {
             origin,
             dir,
@@ -116,13 +116,12 @@ impl<S: Simd> Packet<S> {
             let (plus, minus) = (origin[axis] + pad, origin[axis] - pad);
             let backwards = octant >> axis & 1 != 0;
             let (near, far) = if backwards { (minus, plus) } else { (plus, minus) };
-            let inv = inv_dir[axis];
-            let width = origin[axis].abs() + (S::F16::splat(padding.largest) + pad);
-            let product = width * inv.abs();
+            let terms = SlabTerms { inv_dir: inv_dir[axis], near, far };
+            let product = padding.reach(origin[axis], pad) * inv_dir[axis].abs();
             fits &= product.le(S::F16::splat(LARGEST_PRODUCT)).bits();
             packet.near[axis] = near;
             packet.far[axis] = far;
-            packet.set_slab(axis, inv, [near, far], product);
+            packet.set_slab(axis, terms, product);
         }
         // An end that is no number would be the end of all.
         if mixed || rows[3].le(rows[7]).bits() != ALL {
@@ -131,27 +130,13 @@ impl<S: Simd> Packet<S> {
         Some((packet, rows[7], fits == ALL))
     }
 
-    /// The operations of `BoxRay::new`, lane by lane.
+    /// Notes the terms of the slab test of an axis; `product` is the reach times the inverse
+    /// direction.
     #[inline(always)]
-    fn pad(origin: &Lanes3<S::F16>, padding: Padding) -> S::F16 {
-        let reach = origin[0].abs().max(origin[1].abs()).max(origin[2].abs());
-        let reach = S::F16::splat(padding.largest) + reach;
-        S::F16::splat(16.0 * f32::EPSILON * padding.factor) * reach
-    }
-
-    /// Notes what the slab test of an axis needs: inverse directions, near and far origins, and the
-    /// products that the slack is measured by.
-    #[inline(always)]
-    fn set_slab(&mut self, axis: usize, inv: S::F16, [near, far]: [S::F16; 2], product: S::F16) {
-        self.slab_inv_dir[axis] = inv;
-        if S::FUSES {
-            let slack = product * S::F16::splat(SLACK) + S::F16::splat(f32::MIN_POSITIVE);
-            self.near_offset[axis] = near * inv + slack;
-            self.far_offset[axis] = far * inv - slack;
-        } else {
-            self.near_offset[axis] = near;
-            self.far_offset[axis] = far;
-        }
+    fn set_slab(&mut self, axis: usize, terms: SlabTerms<S::F16>, product: S::F16) {
+        let SlabTerms { inv_dir, near, far } = terms;
+        self.slab_inv_dir[axis] = inv_dir;
+        (self.near_offset[axis], self.far_offset[axis]) = terms.offsets::<S>(product);
         let (first, last) = if self.octant >> axis & 1 != 0 {
             (near.smallest(), far.largest())
         } else {
@@ -159,36 +144,30 @@ impl<S: Simd> Packet<S> {
         };
         self.hull.near[axis] = S::F8::splat(first);
         self.hull.far[axis] = S::F8::splat(last);
-        self.hull.inv_dir[0][axis] = S::F8::splat(inv.smallest());
-        self.hull.inv_dir[1][axis] = S::F8::splat(inv.largest());
+        self.hull.inv_dir[0][axis] = S::F8::splat(inv_dir.smallest());
+        self.hull.inv_dir[1][axis] = S::F8::splat(inv_dir.largest());
     }
 
-    /// Where some rays hardly move along an axis: the operations of `BoxRay::new` and of
-    /// `SlabRay::cut`, lane by lane. Returns false if there is a ray that they cannot take, or that
-    /// is no number.
+    /// Takes up terms that serve where some rays hardly move along an axis. Returns false if they do
+    /// not serve for all rays, or if a ray is no number.
     #[inline(always)]
     fn cut(&mut self, padding: Padding) -> bool {
-        let pad = Self::pad(&self.origin, padding);
-        let (zero, farthest) = (S::F16::splat(0.0), S::F16::splat(FARTHEST));
-        let (largest, of_cut) = (S::F16::splat(LARGEST_PRODUCT), S::F16::splat(CUT_PRODUCT));
-        let (mut fits, mut bounded) = (ALL, 0);
+        let origin = &self.origin;
+        let pad = padding.of_rays(origin[0].abs().max(origin[1].abs()).max(origin[2].abs()));
+        let zero = S::F16::splat(0.0);
+        let (mut bounded, mut gives_bound) = (ALL, 0);
         for axis in 0..3 {
-            let width = self.origin[axis].abs() + (S::F16::splat(padding.largest) + pad);
-            fits &= zero.le(width * self.inv_dir[axis].abs()).bits();
-            let inv = self.inv_dir[axis].max(S::F16::splat(-f32::MAX));
-            let inv = inv.min(S::F16::splat(f32::MAX));
-            let product = width * inv.abs();
-            let still = largest.lt(product).bits();
-            fits &= !still | width.le(farthest).bits();
-            bounded |= product.le(farthest).bits();
-            let out = (width * S::F16::splat(SLACK)).flipped_by(inv);
-            let near = (self.near[axis] + out).select(still, self.near[axis]);
-            let far = (self.far[axis] - out).select(still, self.far[axis]);
-            let cut = (of_cut / width).flipped_by(inv).select(still, inv);
-            self.inv_dir[axis] = inv;
-            self.set_slab(axis, cut, [near, far], of_cut.select(still, product));
+            let reach = padding.reach(self.origin[axis], pad);
+            bounded &= zero.le(reach * self.inv_dir[axis].abs()).bits();
+            let inv_dir = cut_to_finite(self.inv_dir[axis]);
+            let (near, far) = (self.near[axis], self.far[axis]);
+            let cut = SlabTerms { inv_dir, near, far }.cut(reach);
+            bounded &= cut.bounded;
+            gives_bound |= cut.gives_bound;
+            self.inv_dir[axis] = inv_dir;
+            self.set_slab(axis, cut.terms, cut.product);
         }
-        fits & bounded == ALL
+        bounded & gives_bound == ALL
     }
 
     /// The rows of [`Boxes`] that hold the near planes; the far ones are beside them.
@@ -236,7 +215,7 @@ impl<S: Simd> Packet<S> {
     /// A product of `BoxRay::interval`: of the near planes, or of the far ones.
     #[inline(always)]
     fn product(&self, plane: f32, origin: &Lanes3<S::F16>, axis: usize) -> S::F16 {
-        (S::F16::splat(plane) - origin[axis]) * self.inv_dir[axis]
+        crossing(S::F16::splat(plane), origin[axis], self.inv_dir[axis])
     }
 
     /// Which rays' `t` lies in the interval of a primitive's own box: `BoxRay::accepts`.
@@ -252,7 +231,7 @@ impl<S: Simd> Packet<S> {
             .product(boxes.plane(x ^ 1, lane), far, 0)
             .min(self.product(boxes.plane(y ^ 1, lane), far, 1))
             .min(self.product(boxes.plane(z ^ 1, lane), far, 2));
-        (begin.le(t) & t.le(leave)).bits()
+        within(t, [begin, leave]).bits()
     }
 }
 
@@ -310,28 +289,29 @@ impl<S: Simd> Hull<S> {
 }
 
 /// A bit for each ray.
-pub(super) const ALL: u32 = (1 << RAYS) - 1;
+const ALL: u32 = (1 << RAYS) - 1;
 
 /// What became of sixteen rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
     /// All are answered.
     Answered,
-    /// They are too different; nothing was done.
-    Mixed,
-    /// They have parted on the way: those that are not parked are answered.
-    Parted,
+    /// They do not make a packet; nothing was done.
+    Incoherent,
+    /// The packet diverged on the way: the rays that are still to visit something were set aside,
+    /// the others are answered.
+    Diverged,
 }
 
-/// How closely a packet holds together: a purse of rays. Each visit brings as many as take part in
-/// it and costs a price, about what a visit of one ray in a wave costs beside that of a packet. When
-/// the purse is empty, the rays are better off in waves.
-struct Purse {
+/// The coherence budget of a packet, in rays. Each visit earns as many as take part in it and costs
+/// a price, about what a visit of one ray in a wave costs beside that of a packet. When the budget is
+/// spent, the rays are better off in waves.
+struct CoherenceBudget {
     rays: u32,
     price: u32,
 }
 
-impl Purse {
+impl CoherenceBudget {
     /// What a packet starts with, and the most that it can save for visits by few.
     const MOST: u32 = 32;
 
@@ -340,9 +320,9 @@ impl Purse {
         Self { rays: Self::MOST, price: if large { 12 } else { 4 } }
     }
 
-    /// Whether there is enough for a visit by some rays.
+    /// Pays for a visit by some rays; returns whether the budget had enough.
     #[inline(always)]
-    fn pays(&mut self, active: u32) -> bool {
+    fn pay(&mut self, active: u32) -> bool {
         let with = (self.rays + active.count_ones()).min(Self::MOST);
         self.rays = with.saturating_sub(self.price);
         with >= self.price
@@ -350,16 +330,16 @@ impl Purse {
 }
 
 /// Sixteen rays, some of which hardly move along an axis, and all that is needed to answer them.
-struct Uncut<'a, P: Primitives, A, C> {
-    search: &'a Search<'a, P>,
+struct AxisAligned<'a, P: Primitives, Q: Query, C> {
+    task: &'a Task<'a, P, Q>,
     rays: (u32, &'a [Ray; RAYS]),
-    answers: &'a mut [A; RAYS],
+    answers: &'a mut [Q::Answer; RAYS],
     stack: &'a mut Stack,
-    parked: &'a mut Parked,
+    diverged: &'a mut Diverged,
     counters: &'a mut C,
 }
 
-impl<P: Primitives, A: Answer, C: Counters> Uncut<'_, P, A, C> {
+impl<P: Primitives, Q: Query, C: Counters> AxisAligned<'_, P, Q, C> {
     /// These have a kernel of their own: with terms from two places, that of usual rays took up to
     /// 1.08 × as long.
     #[cold]
@@ -369,42 +349,43 @@ impl<P: Primitives, A: Answer, C: Counters> Uncut<'_, P, A, C> {
     }
 }
 
-impl<P: Primitives, A: Answer, C: Counters> Kernel for Uncut<'_, P, A, C> {
+impl<P: Primitives, Q: Query, C: Counters> Kernel for AxisAligned<'_, P, Q, C> {
     type Output = Outcome;
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Outcome {
-        let Self { search: what, rays, answers, stack, parked, counters } = self;
-        search::<S, P, A, C, true>(what, rays, answers, stack, parked, counters)
+        let Self { task, rays, answers, stack, diverged, counters } = self;
+        search::<S, P, Q, C, true>(task, rays, answers, stack, diverged, counters)
     }
 }
 
-/// Answers sixteen rays, the first of which has the place `first` in the slice, or parks some that
-/// have parted. Their terms are the usual ones, or those that are `CUT`.
+/// Answers sixteen rays, the first of which has the place `first` in the slice, or sets some aside
+/// that diverged. Their terms are the usual ones, or those that are `CUT`.
 #[inline(always)]
-pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters, const CUT: bool>(
-    search: &Search<'_, P>,
+pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters, const CUT: bool>(
+    task: &Task<'_, P, Q>,
     (first, rays): (u32, &[Ray; RAYS]),
-    answers: &mut [A; RAYS],
+    answers: &mut [Q::Answer; RAYS],
     stack: &mut Stack,
-    parked: &mut Parked,
+    diverged: &mut Diverged,
     counters: &mut C,
 ) -> Outcome {
-    let Some((mut packet, ends, fits)) = Packet::<S>::load(rays, search.padding) else {
-        return Outcome::Mixed;
+    let any = const { matches!(Q::SEARCH, Search::First) };
+    let Some((mut packet, ends, fits)) = Packet::<S>::load(rays, task.padding) else {
+        return Outcome::Incoherent;
     };
     if CUT {
-        if !packet.cut(search.padding) {
-            return Outcome::Mixed;
+        if !packet.cut(task.padding) {
+            return Outcome::Incoherent;
         }
     } else if !fits {
         let rays = (first, rays);
-        return Uncut { search, rays, answers, stack, parked, counters }.search();
+        return AxisAligned { task, rays, answers, stack, diverged, counters }.search();
     }
-    let mut purse = Purse::new(search.large);
+    let mut budget = CoherenceBudget::new(task.large);
     let zero = S::F16::splat(0.0);
     let mut best = Best { t: ends, u: zero, v: zero, prim: [NONE; RAYS], hit: 0 };
-    let tree = search.tree;
+    let tree = task.tree;
     let Stack { entries, begins } = stack;
     entries[0] = (Child::node(0), ALL);
     begins[0] = [f32::NEG_INFINITY; RAYS];
@@ -414,7 +395,7 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters, const CUT: 
     while top > 0 {
         top -= 1;
         let (child, mut active) = entries[top % HEIGHT];
-        if A::ANY {
+        if any {
             active &= !best.hit;
         } else {
             active &= S::F16::load(&begins[top % HEIGHT]).le(best.t).bits();
@@ -422,30 +403,23 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters, const CUT: 
         if active == 0 {
             continue;
         }
-        if !purse.pays(active) {
-            A::of_packet(&best, answers);
+        if !budget.pay(active) {
+            best.answer(task.query, rays, answers);
             let mut hits = [Hit::MISS; RAYS];
             best.write(&mut hits);
-            let blocked = if A::ANY { best.hit } else { 0 };
-            stack.part::<A>(top + 1, first, &hits, blocked, parked);
-            return Outcome::Parted;
+            let answered = if any { best.hit } else { 0 };
+            stack.set_aside(top + 1, first, &hits, answered, any, diverged);
+            return Outcome::Diverged;
         }
         if child.is_leaf() {
             if C::COUNTS {
                 counters.primitives(child.count() * active.count_ones());
             }
-            test_leaf::<S, P::Packs, A>(
-                &packet,
-                search.packs,
-                child.block(),
-                active,
-                end,
-                &mut best,
-            );
-            if A::ANY && best.hit == ALL {
+            test_leaf::<S, P, Q>(task, &packet, rays, child.block(), active, end, &mut best);
+            if any && best.hit == ALL {
                 break;
             }
-            if !A::ANY {
+            if !any {
                 end = S::F8::splat(best.t.largest());
             }
             continue;
@@ -465,52 +439,55 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters, const CUT: 
             let entering = near.le(far).bits() & active;
             let child = Child(node.children()[lane]);
             entries[top % HEIGHT] = (child, entering);
-            if search.large {
-                search.prefetch(child);
+            if task.large {
+                task.prefetch(child);
             }
-            if !A::ANY {
+            if !any {
                 near.store(&mut begins[top % HEIGHT]);
             }
             top += usize::from(entering != 0);
         }
     }
-    A::of_packet(&best, answers);
+    best.answer(task.query, rays, answers);
     Outcome::Answered
 }
 
 impl Stack {
-    /// Parks the rays that are still to visit something of the lowest `height` entries before their
-    /// end, but for those that are `blocked`.
+    /// Sets those rays aside that are still to visit something of the lowest `height` entries before
+    /// their end, but for those that are `answered`. Where `any` hit will do, no entry is beyond it.
     #[inline(never)]
-    fn part<A: Answer>(
+    fn set_aside(
         &self,
         height: usize,
         first: u32,
         hits: &[Hit; RAYS],
-        blocked: u32,
-        parked: &mut Parked,
+        answered: u32,
+        any: bool,
+        diverged: &mut Diverged,
     ) {
-        for ray in ones(ALL & !blocked) {
+        for ray in ones(ALL & !answered) {
             let entries = self.entries[..height].iter().zip(&self.begins[..height]);
             let own = entries.filter(|((_, active), begins)| {
-                active >> ray & 1 != 0 && (A::ANY || begins[ray] <= hits[ray].t)
+                active >> ray & 1 != 0 && (any || begins[ray] <= hits[ray].t)
             });
             let own = own.map(|(&(child, _), begins)| (child, begins[ray]));
-            parked.park(first + ray as u32, hits[ray], own);
+            diverged.add(first + ray as u32, hits[ray], own);
         }
     }
 }
 
 /// Tests the primitives of a leaf that the packet as a whole does not miss.
 #[inline(always)]
-fn test_leaf<S: Simd, P: Packs, A: Answer>(
+fn test_leaf<S: Simd, P: Primitives, Q: Query>(
+    task: &Task<'_, P, Q>,
     packet: &Packet<S>,
-    packs: &P,
+    rays: &[Ray; RAYS],
     block: usize,
     active: u32,
     end: S::F8,
     best: &mut Best<S::F16>,
 ) {
+    let packs = task.packs;
     let boxes = Boxes::new::<S>(packs.boxes::<S>(block));
     let [x, y, z] = packet.near_rows();
     let (near, far) = packet.hull.interval(
@@ -518,22 +495,23 @@ fn test_leaf<S: Simd, P: Packs, A: Answer>(
         [boxes.row::<S>(x ^ 1), boxes.row::<S>(y ^ 1), boxes.row::<S>(z ^ 1)],
         end,
     );
-    let zero = S::F16::splat(0.0);
     let mut active = active;
     for lane in ones(near.le(far).bits()) {
-        let hit = packs.of_lane::<S>(block, lane, packet.origin, packet.dir);
-        let inside = zero.le(hit.u) & zero.le(hit.v) & (hit.u + hit.v).le(hit.det);
-        let inside = inside.bits() & active;
+        let hits = packs.test_lane::<S>(block, lane, packet.origin, packet.dir);
+        let inside = hits.inside.bits() & active;
         if inside == 0 {
             continue;
         }
-        let t = hit.t / hit.det;
-        let mut found = (packet.t_min.le(t) & t.le(best.t)).bits() & inside;
+        let t = hits.t / hits.scale;
+        let mut found = within(t, [packet.t_min, best.t]).bits() & inside;
         if found == 0 {
             continue;
         }
         found &= packet.accepts(&boxes, lane, t);
-        if A::ANY {
+        if Q::FILTERS {
+            found = filtered::<S, P, Q>(task, rays, (block, lane), &hits, found);
+        }
+        if const { matches!(Q::SEARCH, Search::First) } {
             best.hit |= found;
             active &= !found;
             if active == 0 {
@@ -549,8 +527,8 @@ fn test_leaf<S: Simd, P: Packs, A: Answer>(
             }
         }
         best.t = t.select(found, best.t);
-        best.u = (hit.u / hit.det).select(found, best.u);
-        best.v = (hit.v / hit.det).select(found, best.v);
+        best.u = (hits.u / hits.scale).select(found, best.u);
+        best.v = (hits.v / hits.scale).select(found, best.v);
         best.hit |= found;
         for ray in ones(found) {
             best.prim[ray % RAYS] = prim;
@@ -558,10 +536,49 @@ fn test_leaf<S: Simd, P: Packs, A: Answer>(
     }
 }
 
+/// Those of some rays whose hit on a primitive the query accepts.
+#[inline(always)]
+fn filtered<S: Simd, P: Primitives, Q: Query>(
+    task: &Task<'_, P, Q>,
+    rays: &[Ray; RAYS],
+    (block, lane): (usize, usize),
+    hits: &PackHits<S::F16>,
+    mut found: u32,
+) -> u32 {
+    let as_best = Best::<S::F16> {
+        t: hits.t / hits.scale,
+        u: hits.u / hits.scale,
+        v: hits.v / hits.scale,
+        prim: [task.packs.id(block, lane); RAYS],
+        hit: found,
+    };
+    let mut own = [Hit::MISS; RAYS];
+    as_best.write(&mut own);
+    for ray in ones(found) {
+        if !task.query.accepts(&rays[ray], &own[ray]) {
+            found &= !(1 << ray);
+        }
+    }
+    found
+}
+
 impl<R: Row<RAYS>> Best<R> {
+    /// The answers of all rays.
+    #[inline(always)]
+    fn answer<Q: Query>(&self, query: &Q, rays: &[Ray; RAYS], answers: &mut [Q::Answer; RAYS]) {
+        let mut hits = [Hit { t: 0.0, object: 0, prim: 0, u: 0.0, v: 0.0 }; RAYS];
+        if const { !matches!(Q::SEARCH, Search::First) } {
+            self.write(&mut hits);
+        }
+        for (ray, answer) in answers.iter_mut().enumerate() {
+            let found = if self.hit >> ray & 1 != 0 { &hits[ray] } else { &Hit::MISS };
+            *answer = query.of_one(&rays[ray], found);
+        }
+    }
+
     /// The hits; of rays without one, the end of the search in their place.
     #[inline(always)]
-    pub(super) fn write(&self, hits: &mut [Hit; RAYS]) {
+    fn write(&self, hits: &mut [Hit; RAYS]) {
         let mut rows = [[0.0; RAYS]; 3];
         self.t.store(&mut rows[0]);
         self.u.store(&mut rows[1]);

@@ -2,7 +2,7 @@
 
 use glam::Vec3A;
 
-use crate::math::{BoxRay, Padding, Ray};
+use crate::math::{BoxRay, Lanes, Mask as _, Padding, Ray};
 use crate::simd::Simd;
 
 /// Width times inverse direction up to which the products below stay far from overflow. Beyond it
@@ -68,30 +68,10 @@ impl SlabRay {
     /// The terms of a usual ray, or `None` if it hardly moves along some axis.
     #[inline(always)]
     pub(super) fn new<S: Simd>(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Option<Self> {
-        let Sides { near, far, octant } = Sides::of(box_ray);
-        let inv_dir = box_ray.inv_dir;
-        let product = Self::width(ray, box_ray, padding) * inv_dir.abs();
-        if !product.cmple(Vec3A::splat(LARGEST_PRODUCT)).all() {
-            return None;
-        }
-        Some(Self { inv_dir, near, far, octant }.fused::<S>(product))
-    }
-
-    /// The largest distances of planes from the padded origin.
-    #[inline(always)]
-    fn width(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Vec3A {
-        Vec3A::from(ray.origin).abs() + Vec3A::splat(padding.largest + box_ray.pad)
-    }
-
-    /// The terms with offsets in place of origins, where the instruction set fuses.
-    #[inline(always)]
-    fn fused<S: Simd>(self, product: Vec3A) -> Self {
-        if !S::FUSES {
-            return self;
-        }
-        let Self { inv_dir, near, far, octant } = self;
-        let slack = product * SLACK + Vec3A::splat(f32::MIN_POSITIVE);
-        Self { inv_dir, near: near * inv_dir + slack, far: far * inv_dir - slack, octant }
+        let (terms, reach, octant) = Self::uncut(ray, box_ray, padding);
+        let product = reach * terms.inv_dir.abs();
+        let usual = product.cmple(Vec3A::splat(LARGEST_PRODUCT)).all();
+        usual.then(|| Self::of_terms::<S>(terms, product, octant))
     }
 
     /// The usual terms of a ray, or else those of one that hardly moves along some axes, or `None`.
@@ -102,38 +82,94 @@ impl SlabRay {
 
     /// The terms of a ray that hardly moves along some axes, or `None` if it moves too little or is
     /// too far away.
-    ///
-    /// On these a smaller inverse direction `±C/w` will do, with origins that are `4u·w` farther out.
-    /// With `C`, `F` and `L` for [`CUT_PRODUCT`], [`FARTHEST`] and [`LARGEST_PRODUCT`]: one axis has a
-    /// product `w·|inv_dir|` of at most `F`, so `BoxRay` accepts no `|t|` beyond `1.01·F`. On an axis
-    /// with a product beyond `L` it accepts `t` behind a near plane only if
-    /// `(plane − origin)·inv_dir ≤ t`; say the ray runs forwards, then `plane − origin` is at most
-    /// `1.02·w·F/L`, much less than `u·w`. Farther out, and with the rounding of the origin by `u·w`,
-    /// the difference is at most `−2.9u·w`, and its product with the smaller inverse at most
-    /// `−2.8u·C`. That is less than `−1.01·F`, hence than `t`. Far planes are the mirror image, and
-    /// the slack of the fused form has room for a `w` that is larger by `4u·w`.
     #[cold]
     #[inline(never)]
     pub(super) fn cut<S: Simd>(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Option<Self> {
+        let (terms, reach, octant) = Self::uncut(ray, box_ray, padding);
+        let cut = terms.cut(reach);
+        let taken = cut.bounded == 0b111 && cut.gives_bound != 0;
+        taken.then(|| Self::of_terms::<S>(cut.terms, cut.product, octant))
+    }
+
+    /// The terms of [`BoxRay`], an axis in each lane; the largest distances of planes; the octant.
+    #[inline(always)]
+    fn uncut(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> (SlabTerms<Vec3A>, Vec3A, u32) {
         let Sides { near, far, octant } = Sides::of(box_ray);
-        let inv_dir = box_ray.inv_dir;
-        let width = Self::width(ray, box_ray, padding);
-        let product = width * inv_dir.abs();
-        let (largest, farthest) = (Vec3A::splat(LARGEST_PRODUCT), Vec3A::splat(FARTHEST));
-        let still = product.cmpgt(largest);
-        let near_enough = product.cmple(largest) | still & width.cmple(farthest);
-        if !near_enough.all() || !product.cmple(farthest).any() {
-            return None;
+        let reach = padding.reach(Vec3A::from(ray.origin), Vec3A::splat(box_ray.pad));
+        (SlabTerms { inv_dir: box_ray.inv_dir, near, far }, reach, octant)
+    }
+
+    #[inline(always)]
+    fn of_terms<S: Simd>(terms: SlabTerms<Vec3A>, product: Vec3A, octant: u32) -> Self {
+        let (near, far) = terms.offsets::<S>(product);
+        Self { inv_dir: terms.inv_dir, near, far, octant }
+    }
+}
+
+/// Terms of the slab test: of one axis for a ray in each lane, or of one ray for an axis in each.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SlabTerms<L> {
+    pub(super) inv_dir: L,
+    /// What near planes are measured from.
+    pub(super) near: L,
+    /// What far planes are measured from.
+    pub(super) far: L,
+}
+
+/// Terms that serve where a ray hardly moves, or not at all.
+pub(super) struct CutTerms<L> {
+    pub(super) terms: SlabTerms<L>,
+    /// Reach times inverse direction.
+    pub(super) product: L,
+    /// Bits of the lanes whose terms serve, if an axis of the ray gives a bound on |t|.
+    pub(super) bounded: u32,
+    /// Bits of the lanes that give such a bound.
+    pub(super) gives_bound: u32,
+}
+
+impl<L: Lanes> SlabTerms<L> {
+    /// What [`Row::slab`](crate::simd::Row::slab) takes for near and for far planes: origins, or
+    /// offsets with a slack where the instruction set fuses. `product` is the reach times the inverse
+    /// direction.
+    #[inline(always)]
+    pub(super) fn offsets<S: Simd>(&self, product: L) -> (L, L) {
+        if !S::FUSES {
+            return (self.near, self.far);
         }
-        let of_cut = Vec3A::splat(CUT_PRODUCT);
-        let out = (width * SLACK).copysign(inv_dir);
-        let slab = Self {
-            inv_dir: Vec3A::select(still, (of_cut / width).copysign(inv_dir), inv_dir),
-            near: Vec3A::select(still, near + out, near),
-            far: Vec3A::select(still, far - out, far),
-            octant,
+        let slack = product * L::splat(SLACK) + L::splat(f32::MIN_POSITIVE);
+        (self.near * self.inv_dir + slack, self.far * self.inv_dir - slack)
+    }
+
+    /// The terms with those lanes replaced in which the ray hardly moves.
+    ///
+    /// On these a smaller inverse direction `±C/w` will do, with origins that are `4u·w` farther out;
+    /// `w` is the reach. With `C`, `F` and `L` for [`CUT_PRODUCT`], [`FARTHEST`] and
+    /// [`LARGEST_PRODUCT`]: one axis has a product `w·|inv_dir|` of at most `F`, so `BoxRay` accepts no
+    /// `|t|` beyond `1.01·F`. On an axis with a product beyond `L` it accepts `t` behind a near plane
+    /// only if `(plane − origin)·inv_dir ≤ t`; say the ray runs forwards, then `plane − origin` is at
+    /// most `1.02·w·F/L`, much less than `u·w`. Farther out, and with the rounding of the origin by
+    /// `u·w`, the difference is at most `−2.9u·w`, and its product with the smaller inverse at most
+    /// `−2.8u·C`. That is less than `−1.01·F`, hence than `t`. Far planes are the mirror image, and
+    /// the slack of the fused form has room for a `w` that is larger by `4u·w`.
+    #[inline(always)]
+    pub(super) fn cut(&self, reach: L) -> CutTerms<L> {
+        let Self { inv_dir, near, far } = *self;
+        let (farthest, largest) = (L::splat(FARTHEST), L::splat(LARGEST_PRODUCT));
+        let of_cut = L::splat(CUT_PRODUCT);
+        let product = reach * inv_dir.abs();
+        let still = largest.lt(product).bits();
+        let out = (reach * L::splat(SLACK)).flipped_by(inv_dir);
+        let terms = Self {
+            inv_dir: (of_cut / reach).flipped_by(inv_dir).select(still, inv_dir),
+            near: (near + out).select(still, near),
+            far: (far - out).select(still, far),
         };
-        Some(slab.fused::<S>(Vec3A::select(still, of_cut, product)))
+        CutTerms {
+            terms,
+            product: of_cut.select(still, product),
+            bounded: product.le(largest).bits() | still & reach.le(farthest).bits(),
+            gives_bound: product.le(farthest).bits(),
+        }
     }
 }
 
@@ -163,9 +199,9 @@ pub(super) mod tests {
             let slab = SlabRay::any::<S>(ray, &box_ray, padding)?;
             let (begin, end) = node.intervals::<S>(
                 near_planes(slab.octant),
-                splat3::<S::F8, 8>(slab.inv_dir.to_array()),
-                splat3::<S::F8, 8>(slab.near.to_array()),
-                splat3::<S::F8, 8>(slab.far.to_array()),
+                splat3::<S::F8>(slab.inv_dir.to_array()),
+                splat3::<S::F8>(slab.near.to_array()),
+                splat3::<S::F8>(slab.far.to_array()),
                 [S::F8::splat(-f32::MAX), S::F8::splat(f32::MAX)],
             );
             let mut intervals = [[0.0; WIDTH]; 2];

@@ -13,26 +13,23 @@
 //!              the lists of the children that it enters; push these, the farthest first
 //! ```
 
-use std::cell::Cell;
-
 use glam::Vec3A;
 
-use crate::accel::Primitives;
+use crate::accel::{Primitives, Query, Scratch, Search, search_one};
 use crate::counters::Counters;
-use crate::math::{BoxRay, Ray};
-use crate::simd::{Kernel, Mask, Row, Simd, splat3};
+use crate::math::{BoxRay, Lanes as _, Mask as _, Ray};
+use crate::simd::{Kernel, Simd, dispatch, splat3};
 
 use super::Bvh8;
-use super::answer::Answer;
 use super::node::{Child, Node, WIDTH, near_planes, order_shift};
 use super::slab_ray::SlabRay;
 
 /// Rays of a stream: few enough to stay in a core's cache.
 const RAYS: usize = 1024;
 
-/// The memory of a stream.
+/// The memory of streams.
 #[derive(Default)]
-struct Scratch {
+struct Memory {
     slabs: Vec<SlabRay>,
     /// The lists of rays, by their places in the stream. Those of a node's children lie behind all
     /// that are still to be visited.
@@ -51,58 +48,65 @@ struct Entry {
     free: usize,
 }
 
-thread_local! {
-    /// Kept from call to call; absent while used.
-    static SCRATCH: Cell<Option<Box<Scratch>>> = const { Cell::new(None) };
+/// Answers a query for many rays.
+pub(super) fn search<P: Primitives, Q: Query, C: Counters>(
+    tree: &Bvh8,
+    query: &Q,
+    primitives: &P,
+    rays: &[Ray],
+    answers: &mut [Q::Answer],
+    scratch: &mut Scratch,
+    counters: &mut C,
+) {
+    scratch.lend(|memory: &mut Memory, scratch| {
+        for (rays, answers) in rays.chunks(RAYS).zip(answers.chunks_mut(RAYS)) {
+            let mut stream = Stream { tree, query, primitives, rays, answers, scratch, counters };
+            if let [root] = &tree.nodes[..] {
+                stream.test_all(root, &mut memory.lists);
+            } else {
+                dispatch(Descent { stream: &mut stream, memory });
+            }
+            for answer in stream.answers {
+                query.finish(answer);
+            }
+        }
+    });
 }
 
-/// What is asked of a slice of rays.
-pub(super) struct Trace<'a, P, A, C> {
-    pub(super) tree: &'a Bvh8,
-    pub(super) primitives: &'a P,
-    pub(super) rays: &'a [Ray],
-    pub(super) answers: &'a mut [A],
-    pub(super) counters: &'a mut C,
+/// A slice of rays that go together.
+struct Stream<'a, P, Q: Query, C> {
+    tree: &'a Bvh8,
+    query: &'a Q,
+    primitives: &'a P,
+    rays: &'a [Ray],
+    answers: &'a mut [Q::Answer],
+    /// For searches within the primitives.
+    scratch: &'a mut Scratch,
+    counters: &'a mut C,
 }
 
-impl<P: Primitives, A: Answer, C: Counters> Kernel for Trace<'_, P, A, C> {
+/// A stream on its way down the tree.
+struct Descent<'a, 's, P, Q: Query, C> {
+    stream: &'a mut Stream<'s, P, Q, C>,
+    memory: &'a mut Memory,
+}
+
+impl<P: Primitives, Q: Query, C: Counters> Kernel for Descent<'_, '_, P, Q, C> {
     type Output = ();
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { tree, primitives, rays, answers, counters } = self;
-        let mut scratch = SCRATCH.take().unwrap_or_default();
-        for (rays, answers) in rays.chunks(RAYS).zip(answers.chunks_mut(RAYS)) {
-            let mut stream = Stream { tree, primitives, rays, answers, counters };
-            if let [root] = &tree.nodes[..] {
-                stream.ask_all(root, &mut scratch.lists);
-            } else {
-                stream.search_all::<S>(&mut scratch);
-            }
-            for answer in stream.answers {
-                answer.finish();
-            }
-        }
-        SCRATCH.set(Some(scratch));
+        self.stream.search_all::<S>(self.memory);
     }
 }
 
-/// A slice of rays that go together.
-struct Stream<'a, P, A, C> {
-    tree: &'a Bvh8,
-    primitives: &'a P,
-    rays: &'a [Ray],
-    answers: &'a mut [A],
-    counters: &'a mut C,
-}
-
-impl<P: Primitives, A: Answer, C: Counters> Stream<'_, P, A, C> {
-    /// Prepares the rays and parts them by octants; returns how many are in each. Where any hit will
+impl<P: Primitives, Q: Query, C: Counters> Stream<'_, P, Q, C> {
+    /// Prepares the rays and sorts them by octant; returns how many are in each. Where any hit will
     /// do, no order is the better one, and all go with the first octant. Rays that the slab test
-    /// cannot take are traced at once, alone.
+    /// cannot take are searched at once, alone.
     #[inline(always)]
-    fn start<S: Simd>(&mut self, scratch: &mut Scratch) -> [usize; 8] {
-        let Scratch { slabs, lists, .. } = scratch;
+    fn start<S: Simd>(&mut self, memory: &mut Memory) -> [usize; 8] {
+        let Memory { slabs, lists, .. } = memory;
         slabs.clear();
         if lists.len() < 8 * RAYS {
             lists.resize(8 * RAYS, 0);
@@ -114,22 +118,28 @@ impl<P: Primitives, A: Answer, C: Counters> Stream<'_, P, A, C> {
             let slab = SlabRay::any::<S>(ray, &box_ray, padding);
             slabs.push(slab.unwrap_or(SlabRay::VACANT));
             let Some(slab) = slab else {
-                self.answers[place] = A::alone(self.tree, self.primitives, ray, self.counters);
+                self.answers[place] = self.search_alone(ray);
                 continue;
             };
-            self.answers[place] = A::start(ray);
-            let octant = if A::ANY { 0 } else { slab.octant as usize % 8 };
+            self.answers[place] = self.query.start(ray);
+            let octant = if Q::SEARCH == Search::First { 0 } else { slab.octant as usize % 8 };
             lists[octant * RAYS + counts[octant]] = place as u32;
             counts[octant] += 1;
         }
         counts
     }
 
-    /// Asks the few primitives of a tree of one node about all rays, without a look at the node:
-    /// the primitives look at their boxes anyway. Near ones come first, as the first ray sees it.
-    fn ask_all(&mut self, root: &Node, lists: &mut Vec<u32>) {
+    #[cold]
+    #[inline(never)]
+    fn search_alone(&mut self, ray: &Ray) -> Q::Answer {
+        search_one(self.tree, self.query, self.primitives, ray, self.counters)
+    }
+
+    /// Tests the few primitives of a tree of one node with all rays, without the node's boxes: the
+    /// primitives test their own anyway. Near ones come first, as the first ray sees it.
+    fn test_all(&mut self, root: &Node, lists: &mut Vec<u32>) {
         for (answer, ray) in self.answers.iter_mut().zip(self.rays) {
-            *answer = A::start(ray);
+            *answer = self.query.start(ray);
         }
         lists.clear();
         lists.extend(0..self.rays.len() as u32);
@@ -139,24 +149,24 @@ impl<P: Primitives, A: Answer, C: Counters> Stream<'_, P, A, C> {
         for word in root.orders().iter().rev() {
             let child = Child(root.children()[(word >> shift) as usize % WIDTH]);
             if child != Child::ABSENT {
-                open = self.ask(child, &mut lists[..open]);
+                open = self.test(child, &mut lists[..open]);
             }
         }
     }
 
     /// Searches with the rays of each octant.
     #[inline(always)]
-    fn search_all<S: Simd>(&mut self, scratch: &mut Scratch) {
-        let counts = self.start::<S>(scratch);
+    fn search_all<S: Simd>(&mut self, memory: &mut Memory) {
+        let counts = self.start::<S>(memory);
         for (octant, &count) in counts.iter().enumerate() {
-            self.search::<S>(scratch, octant, count);
+            self.search::<S>(memory, octant, count);
         }
     }
 
     /// Searches with the rays of an octant.
     #[inline(always)]
-    fn search<S: Simd>(&mut self, scratch: &mut Scratch, octant: usize, count: usize) {
-        let Scratch { slabs, lists, stack } = scratch;
+    fn search<S: Simd>(&mut self, memory: &mut Memory, octant: usize, count: usize) {
+        let Memory { slabs, lists, stack } = memory;
         let shift = order_shift(octant as u32);
         stack.clear();
         let root =
@@ -166,7 +176,7 @@ impl<P: Primitives, A: Answer, C: Counters> Stream<'_, P, A, C> {
         }
         while let Some(Entry { child, start, length, free }) = stack.pop() {
             if child.is_leaf() {
-                self.ask(child, &mut lists[start..start + length]);
+                self.test(child, &mut lists[start..start + length]);
                 continue;
             }
             if lists.len() < free + WIDTH * length {
@@ -206,7 +216,7 @@ impl<P: Primitives, A: Answer, C: Counters> Stream<'_, P, A, C> {
         let mut lengths = [0; WIDTH];
         for &place in list {
             let (slab, ray) = (&slabs[place as usize], &self.rays[place as usize]);
-            let end = self.answers[place as usize].end(ray);
+            let end = self.query.end(ray, &self.answers[place as usize]);
             let entered = entered::<S>(node, slab, ray.t_min, end);
             for (lane, length) in lengths.iter_mut().enumerate() {
                 below[lane * list.len() + *length] = place;
@@ -216,18 +226,25 @@ impl<P: Primitives, A: Answer, C: Counters> Stream<'_, P, A, C> {
         lengths
     }
 
-    /// Asks the primitives of a leaf about those rays of a list whose search goes on; these come to
+    /// Tests the primitives of a leaf with those rays of a list whose search goes on; these come to
     /// its front. Returns how many they are.
-    fn ask(&mut self, leaf: Child, list: &mut [u32]) -> usize {
+    fn test(&mut self, leaf: Child, list: &mut [u32]) -> usize {
         let mut open = 0;
         for index in 0..list.len() {
             let place = list[index];
             list[open] = place;
-            open += usize::from(self.answers[place as usize].is_open());
+            let (ray, answer) = (&self.rays[place as usize], &self.answers[place as usize]);
+            open += usize::from(self.query.end(ray, answer) != f32::NEG_INFINITY);
         }
         let first = (leaf.block() * self.tree.block) as u32;
-        let slots = first..first + leaf.count();
-        A::ask(self.primitives, slots, self.rays, &list[..open], self.answers, self.counters);
+        self.primitives.test_stream(
+            self.query,
+            first..first + leaf.count(),
+            (self.rays, &list[..open]),
+            self.answers,
+            self.scratch,
+            self.counters,
+        );
         open
     }
 }
@@ -237,9 +254,9 @@ impl<P: Primitives, A: Answer, C: Counters> Stream<'_, P, A, C> {
 fn entered<S: Simd>(node: &Node, slab: &SlabRay, t_min: f32, end: f32) -> u32 {
     let (begin, leave) = node.intervals::<S>(
         near_planes(slab.octant),
-        splat3::<S::F8, 8>(slab.inv_dir.to_array()),
-        splat3::<S::F8, 8>(slab.near.to_array()),
-        splat3::<S::F8, 8>(slab.far.to_array()),
+        splat3::<S::F8>(slab.inv_dir.to_array()),
+        splat3::<S::F8>(slab.near.to_array()),
+        splat3::<S::F8>(slab.far.to_array()),
         [S::F8::splat(t_min), S::F8::splat(end)],
     );
     begin.le(leave).bits()

@@ -6,16 +6,16 @@
 //! it, by arithmetic, to the list that it belongs to next. The rays of a phase do not depend on
 //! each other, so the processor works on several at once.
 
-use crate::accel::{PACK, Packs, Primitives};
+use crate::accel::{PACK, PackHits, Packs, Primitives, Query, Search, search_one};
 use crate::counters::Counters;
-use crate::math::{BoxRay, Hit, NONE, Padding, Ray};
-use crate::simd::{Mask, Row, Simd, splat3};
+use crate::math::{BoxRay, Hit, Lanes as _, Mask as _, NONE, Padding, Ray, within};
+use crate::simd::{Row, Simd, splat3};
 
-use super::answer::Answer;
+use super::HEIGHT;
+use super::diverged::{Diverged, DivergedRay};
+use super::kernels::Task;
 use super::node::{Child, near_planes, order_shift};
-use super::parked::{Parked, ParkedRay};
 use super::slab_ray::SlabRay;
-use super::{HEIGHT, Search};
 
 /// Rays in flight.
 const RAYS: usize = 32;
@@ -24,8 +24,8 @@ const RAYS: usize = 32;
 /// slots do not lie at a multiple of the distance that a cache's sets repeat in.
 const ROOM: usize = HEIGHT + PACK + 8;
 
-/// The memory of a wave, kept from call to call.
-pub(super) struct Scratch {
+/// The memory of a wave.
+pub(super) struct Memory {
     slots: [Slot; RAYS],
     candidates: [Candidates; RAYS],
 }
@@ -78,7 +78,7 @@ struct Candidates {
     t: [f32; PACK],
     u: [f32; PACK],
     v: [f32; PACK],
-    det: [f32; PACK],
+    scale: [f32; PACK],
     lanes: u32,
     block: u32,
 }
@@ -106,7 +106,7 @@ impl List {
     }
 }
 
-impl Default for Scratch {
+impl Default for Memory {
     fn default() -> Self {
         Self { slots: [Slot::VACANT; RAYS], candidates: [Candidates::NONE; RAYS] }
     }
@@ -117,10 +117,48 @@ impl Candidates {
         t: [0.0; PACK],
         u: [0.0; PACK],
         v: [0.0; PACK],
-        det: [0.0; PACK],
+        scale: [0.0; PACK],
         lanes: 0,
         block: 0,
     };
+
+    /// Notes the coordinates of hits, and what they are to be divided by.
+    #[inline(always)]
+    fn set_coordinates<S: Simd>(&mut self, hits: &PackHits<S::F8>) {
+        hits.u.store(&mut self.u);
+        hits.v.store(&mut self.v);
+        hits.scale.store(&mut self.scale);
+    }
+
+    /// A candidate as a hit.
+    #[inline(always)]
+    fn hit(&self, lane: usize, packs: &impl Packs) -> Hit {
+        let scale = self.scale[lane];
+        Hit {
+            t: self.t[lane],
+            object: 0,
+            prim: packs.id(self.block as usize, lane),
+            u: self.u[lane] / scale,
+            v: self.v[lane] / scale,
+        }
+    }
+
+    /// Whether a candidate counts: its own box accepts it, and the query does.
+    #[inline(always)]
+    fn counts<P: Primitives, Q: Query>(
+        &self,
+        lane: usize,
+        slot: &Slot,
+        task: &Task<'_, P, Q>,
+        rays: &[Ray],
+    ) -> bool {
+        let bounds = task.packs.bounds(self.block as usize, lane);
+        slot.box_ray.accepts(&bounds, self.t[lane])
+            && (!Q::FILTERS || {
+                let hit = self.hit(lane, task.packs);
+                task.query.accepts(&rays[slot.ray as usize], &hit)
+            })
+    }
 }
 
 impl Slot {
@@ -151,37 +189,36 @@ impl Slot {
     };
 }
 
-/// Answers those of the rays whose places in the slice are in `which`, and those that are parked.
+/// Answers those of the rays whose places in the slice are in `which`, and those that diverged.
 #[inline(always)]
-pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
-    search: &Search<'_, P>,
+pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
+    task: &Task<'_, P, Q>,
     rays: &[Ray],
-    (which, parked): (&[u32], &Parked),
-    answers: &mut [A],
-    scratch: &mut Scratch,
+    (which, diverged): (&[u32], &Diverged),
+    answers: &mut [Q::Answer],
+    memory: &mut Memory,
     counters: &mut C,
 ) {
-    let tree = &search.tree.nodes[..];
-    let packs = search.packs;
-    let Scratch { slots, candidates } = scratch;
+    let any = const { matches!(Q::SEARCH, Search::First) };
+    let (tree, packs) = (&task.tree.nodes[..], task.packs);
+    let Memory { slots, candidates } = memory;
     let mut nodes = List::EMPTY;
     let mut leaves = List::EMPTY;
     let mut improved = List::EMPTY;
     let mut done = List::EMPTY;
     let mut waiting =
-        Waiting { rays, fresh: which.iter(), on_the_way: parked.rays().iter(), parked };
+        Waiting { rays, fresh: which.iter(), on_the_way: diverged.rays().iter(), diverged };
     for id in 0..RAYS as u8 {
         let slot = &mut slots[usize::from(id)];
-        if !waiting.take::<S, P, A, C>(search, slot, counters, answers) {
+        if !waiting.take::<S, P, Q, C>(task, slot, counters, answers) {
             break;
         }
         pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
     }
-    let zero = S::F8::splat(0.0);
     while nodes.length + leaves.length > 0 {
-        if search.large {
+        if task.large {
             for place in 0..nodes.length {
-                search.prefetch(slots[usize::from(nodes.slot(place)) % RAYS].at);
+                task.prefetch(slots[usize::from(nodes.slot(place)) % RAYS].at);
             }
         }
         for place in 0..nodes.restart() {
@@ -193,13 +230,13 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
             }
             let (begin, end) = node.intervals::<S>(
                 slot.near_planes,
-                splat3::<S::F8, 8>(slot.inv_dir),
-                splat3::<S::F8, 8>(slot.near),
-                splat3::<S::F8, 8>(slot.far),
+                splat3::<S::F8>(slot.inv_dir),
+                splat3::<S::F8>(slot.near),
+                splat3::<S::F8>(slot.far),
                 [S::F8::splat(slot.t_min), S::F8::splat(slot.end)],
             );
             let top = slot.height as usize;
-            if A::ANY {
+            if any {
                 let mask = begin.le(end).bits();
                 S::compress(mask, node.children(), row_mut(&mut slot.entries, top));
                 slot.height += mask.count_ones();
@@ -217,9 +254,9 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
             pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
         }
 
-        if search.large {
+        if task.large {
             for place in 0..leaves.length {
-                search.prefetch(slots[usize::from(leaves.slot(place)) % RAYS].at);
+                task.prefetch(slots[usize::from(leaves.slot(place)) % RAYS].at);
             }
         }
         improved.restart();
@@ -230,26 +267,31 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
             if C::COUNTS {
                 counters.primitives(slot.at.count());
             }
-            let origin = splat3::<S::F8, 8>(slot.origin);
-            let hit = packs.of_pack::<S>(block, origin, splat3::<S::F8, 8>(slot.dir));
-            let t = hit.t / hit.det;
-            let inside = zero.le(hit.u) & zero.le(hit.v) & (hit.u + hit.v).le(hit.det);
-            let in_reach = S::F8::splat(slot.t_min).le(t) & t.le(S::F8::splat(slot.end));
-            let lanes = (inside & in_reach).bits();
-            if A::ANY {
+            let origin = splat3::<S::F8>(slot.origin);
+            let hits = packs.test_pack::<S>(block, origin, splat3::<S::F8>(slot.dir));
+            let t = hits.t / hits.scale;
+            let in_reach = within(t, [S::F8::splat(slot.t_min), S::F8::splat(slot.end)]);
+            let lanes = (hits.inside & in_reach).bits();
+            if any {
                 // A candidate nearly always ends the search: one surprise a ray at most.
-                if lanes != 0 && any_accepted::<S, P::Packs>(slot, packs, block, t, lanes) {
-                    slot.prim = 0;
-                    slot.height = 1;
+                if lanes != 0 {
+                    t.store(&mut candidates[0].t);
+                    candidates[0].lanes = lanes;
+                    candidates[0].block = block as u32;
+                    if Q::FILTERS {
+                        candidates[0].set_coordinates::<S>(&hits);
+                    }
+                    if any_accepted(slot, task, rays, &candidates[0]) {
+                        slot.prim = 0;
+                        slot.height = 1;
+                    }
                 }
                 pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
                 continue;
             }
             let offered = &mut candidates[improved.length % RAYS];
             t.store(&mut offered.t);
-            hit.u.store(&mut offered.u);
-            hit.v.store(&mut offered.v);
-            hit.det.store(&mut offered.det);
+            offered.set_coordinates::<S>(&hits);
             offered.lanes = lanes;
             offered.block = block as u32;
             // No branch: whether a leaf has a candidate cannot be foreseen.
@@ -260,7 +302,7 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
         for place in 0..improved.length {
             let id = improved.slot(place);
             let slot = &mut slots[usize::from(id) % RAYS];
-            if improve::<S, P::Packs>(slot, packs, &candidates[place % RAYS]) {
+            if improve::<S, P, Q>(slot, task, rays, &candidates[place % RAYS]) {
                 drop_behind::<S>(slot);
             }
             pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
@@ -269,8 +311,9 @@ pub(super) fn search<S: Simd, P: Primitives, A: Answer, C: Counters>(
         for place in 0..done.restart() {
             let id = done.slot(place);
             let slot = &mut slots[usize::from(id) % RAYS];
-            answers[slot.ray as usize] = A::of(slot.hit());
-            if waiting.take::<S, P, A, C>(search, slot, counters, answers) {
+            let ray = &rays[slot.ray as usize];
+            answers[slot.ray as usize] = task.query.of_one(ray, &slot.hit());
+            if waiting.take::<S, P, Q, C>(task, slot, counters, answers) {
                 pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
             }
         }
@@ -291,25 +334,25 @@ struct Waiting<'a> {
     rays: &'a [Ray],
     /// Those that begin with the root, by their places in the slice.
     fresh: std::slice::Iter<'a, u32>,
-    on_the_way: std::slice::Iter<'a, ParkedRay>,
-    parked: &'a Parked,
+    on_the_way: std::slice::Iter<'a, DivergedRay>,
+    diverged: &'a Diverged,
 }
 
 impl Waiting<'_> {
     /// Puts the next ray into a slot, if there is one. Rays that the slab test cannot take are
-    /// traced at once, alone.
+    /// searched at once, alone.
     #[inline(always)]
-    fn take<S: Simd, P: Primitives, A: Answer, C: Counters>(
+    fn take<S: Simd, P: Primitives, Q: Query, C: Counters>(
         &mut self,
-        search: &Search<'_, P>,
+        task: &Task<'_, P, Q>,
         slot: &mut Slot,
         counters: &mut C,
-        answers: &mut [A],
+        answers: &mut [Q::Answer],
     ) -> bool {
         for &index in self.fresh.by_ref() {
             let ray = &self.rays[index as usize];
-            if slot.load::<S>(index, ray, search.padding)
-                || take_cut::<S, P, A, C>(search, slot, (index, ray), counters, answers)
+            if slot.load::<S>(index, ray, task.padding)
+                || take_cut::<S, P, Q, C>(task, slot, (index, ray), counters, answers)
             {
                 slot.entries[1] = Child::node(0).0;
                 slot.height = 2;
@@ -319,29 +362,29 @@ impl Waiting<'_> {
         let Some(ray) = self.on_the_way.next() else {
             return false;
         };
-        let (index, parked) = (ray.ray, &self.rays[ray.ray as usize]);
-        let taken = slot.load::<S>(index, parked, search.padding)
-            || slot.load_cut::<S>(index, parked, search.padding);
+        let (index, whole) = (ray.ray, &self.rays[ray.ray as usize]);
+        let taken = slot.load::<S>(index, whole, task.padding)
+            || slot.load_cut::<S>(index, whole, task.padding);
         debug_assert!(taken, "a packet has taken the ray by the same terms");
-        slot.go_on(ray, self.parked.entries(ray));
+        slot.go_on(ray, self.diverged.entries(ray));
         true
     }
 }
 
-/// Puts a ray that hardly moves along an axis into a slot, or traces it alone and returns false if
+/// Puts a ray that hardly moves along an axis into a slot, or searches it alone and returns false if
 /// the slab test cannot take it. Apart, for the sake of usual rays.
 #[cold]
 #[inline(never)]
-fn take_cut<S: Simd, P: Primitives, A: Answer, C: Counters>(
-    search: &Search<'_, P>,
+fn take_cut<S: Simd, P: Primitives, Q: Query, C: Counters>(
+    task: &Task<'_, P, Q>,
     slot: &mut Slot,
     (index, ray): (u32, &Ray),
     counters: &mut C,
-    answers: &mut [A],
+    answers: &mut [Q::Answer],
 ) -> bool {
-    let taken = slot.load_cut::<S>(index, ray, search.padding);
+    let taken = slot.load_cut::<S>(index, ray, task.padding);
     if !taken {
-        answers[index as usize] = A::alone(search.tree, search.primitives, ray, counters);
+        answers[index as usize] = search_one(task.tree, task.query, task.primitives, ray, counters);
     }
     taken
 }
@@ -391,7 +434,7 @@ impl Slot {
 
     /// Gives a ray what it has found on its way, and what it is still to visit.
     #[inline(always)]
-    fn go_on(&mut self, ray: &ParkedRay, entries: &[(Child, f32)]) {
+    fn go_on(&mut self, ray: &DivergedRay, entries: &[(Child, f32)]) {
         let Hit { t, prim, u, v, .. } = ray.best;
         (self.end, self.prim, self.u, self.v) = (t, prim, u, v);
         let places = self.entries[1..HEIGHT].iter_mut().zip(&mut self.distances[1..HEIGHT]);
@@ -415,38 +458,35 @@ fn pop(slot: &mut Slot, id: u8, free: bool, nodes: &mut List, leaves: &mut List,
     done.append(id, free & end);
 }
 
-/// Whether the own box of any candidate accepts it.
+/// Whether any candidate counts.
 #[inline(always)]
-fn any_accepted<S: Simd, P: Packs>(
+fn any_accepted<P: Primitives, Q: Query>(
     slot: &Slot,
-    packs: &P,
-    block: usize,
-    t: S::F8,
-    lanes: u32,
+    task: &Task<'_, P, Q>,
+    rays: &[Ray],
+    offered: &Candidates,
 ) -> bool {
-    let mut ts = [0.0; PACK];
-    t.store(&mut ts);
-    (0..PACK).any(|lane| {
-        lanes >> lane & 1 != 0 && slot.box_ray.accepts(&packs.bounds(block, lane), ts[lane])
-    })
+    (0..PACK).any(|lane| offered.lanes >> lane & 1 != 0 && offered.counts(lane, slot, task, rays))
 }
 
-/// Replaces a ray's best hit by the first candidate that its own box accepts, if that comes before.
-/// Returns whether there is one.
+/// Replaces a ray's best hit by the first candidate that counts, if that comes before. Returns
+/// whether there is one.
 #[inline(always)]
-fn improve<S: Simd, P: Packs>(slot: &mut Slot, packs: &P, offered: &Candidates) -> bool {
-    let block = offered.block as usize;
+fn improve<S: Simd, P: Primitives, Q: Query>(
+    slot: &mut Slot,
+    task: &Task<'_, P, Q>,
+    rays: &[Ray],
+    offered: &Candidates,
+) -> bool {
     let t = S::F8::load(&offered.t);
     let mut lanes = offered.lanes;
     while lanes != 0 {
         // Ids ascend within a pack: the first of equal lanes is the one that counts.
         let lane = t.first_smallest(lanes) % PACK;
-        let (at, prim) = (offered.t[lane], packs.id(block, lane));
-        if slot.box_ray.accepts(&packs.bounds(block, lane), at) {
-            let better = (at < slot.end) | (prim < slot.prim);
-            let det = offered.det[lane];
-            let (u, v) = (offered.u[lane] / det, offered.v[lane] / det);
-            slot.end = if better { at } else { slot.end };
+        if offered.counts(lane, slot, task, rays) {
+            let Hit { t, prim, u, v, .. } = offered.hit(lane, task.packs);
+            let better = (t < slot.end) | (prim < slot.prim);
+            slot.end = if better { t } else { slot.end };
             slot.prim = if better { prim } else { slot.prim };
             slot.u = if better { u } else { slot.u };
             slot.v = if better { v } else { slot.v };

@@ -9,7 +9,7 @@ use crate::assets::MeshData;
 use crate::description::{
     self, Camera, Material, MeshReference, Normals, Options, SceneDescription, Shape,
 };
-use crate::math::{Color, Random};
+use crate::math::{Color, Hit, Random};
 
 /// Groups of sixteen rays; fewer for an interpreter.
 const GROUPS: usize = if cfg!(miri) { 12 } else { 64 };
@@ -78,8 +78,8 @@ fn compare(scene: &Scene) {
     let rays = rays();
     let trace = |world: &dyn Tracer| {
         let (mut hits, mut blocked) = (vec![Hit::MISS; rays.len()], vec![false; rays.len()]);
-        world.intersect(&rays, &mut hits, None);
-        world.occluded(&rays, &mut blocked, None);
+        world.trace(&rays, Answers::ClosestHit(&mut hits), &mut Scratch::default(), None);
+        world.trace(&rays, Answers::AnyHit(&mut blocked), &mut Scratch::default(), None);
         (hits, blocked)
     };
     let expected = trace(&World::<Exhaustive, Exhaustive>::build(scene, &config));

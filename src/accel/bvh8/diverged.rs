@@ -1,20 +1,20 @@
-//! Rays that a packet leaves on the way: what they have found, and what is still to be visited.
+//! Rays whose packet diverged on the way: what they have found, and what is still to be visited.
 
 use crate::math::Hit;
 
 use super::node::Child;
 
-/// Rays on the way, kept from call to call.
+/// Diverged rays.
 #[derive(Default)]
-pub(super) struct Parked {
-    rays: Vec<ParkedRay>,
+pub(super) struct Diverged {
+    rays: Vec<DivergedRay>,
     /// What each ray is still to visit and where that begins, the nearest last: ray by ray.
     entries: Vec<(Child, f32)>,
 }
 
-/// A ray on the way.
+/// A diverged ray.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ParkedRay {
+pub(super) struct DivergedRay {
     /// Its place in the slice.
     pub(super) ray: u32,
     /// The best hit so far; if there is none, its parameter is the ray's end.
@@ -24,35 +24,30 @@ pub(super) struct ParkedRay {
     count: u32,
 }
 
-impl Parked {
+impl Diverged {
     /// Forgets all rays.
     pub(super) fn clear(&mut self) {
         self.rays.clear();
         self.entries.clear();
     }
 
-    /// Parks a ray with what it is to visit, the nearest last; does nothing if that is nothing.
-    pub(super) fn park(
-        &mut self,
-        ray: u32,
-        best: Hit,
-        entries: impl Iterator<Item = (Child, f32)>,
-    ) {
+    /// Adds a ray with what it is to visit, the nearest last; does nothing if that is nothing.
+    pub(super) fn add(&mut self, ray: u32, best: Hit, entries: impl Iterator<Item = (Child, f32)>) {
         let first = self.entries.len();
         self.entries.extend(entries);
         let count = (self.entries.len() - first) as u32;
         if count > 0 {
-            self.rays.push(ParkedRay { ray, best, first: first as u32, count });
+            self.rays.push(DivergedRay { ray, best, first: first as u32, count });
         }
     }
 
     /// The rays.
-    pub(super) fn rays(&self) -> &[ParkedRay] {
+    pub(super) fn rays(&self) -> &[DivergedRay] {
         &self.rays
     }
 
     /// What a ray is to visit.
-    pub(super) fn entries(&self, ray: &ParkedRay) -> &[(Child, f32)] {
+    pub(super) fn entries(&self, ray: &DivergedRay) -> &[(Child, f32)] {
         let first = ray.first as usize;
         &self.entries[first..first + ray.count as usize]
     }

@@ -1,0 +1,126 @@
+//! Many rays at once through primitives in packs: packets as long as rays are coherent, and waves.
+
+use crate::accel::{Packs, Primitives, Query, Scratch};
+use crate::counters::Counters;
+use crate::math::{Padding, Ray};
+use crate::simd::{Kernel, Simd, dispatch, prefetch};
+
+use super::Bvh8;
+use super::diverged::Diverged;
+use super::node::Child;
+use super::packet::{self, Outcome};
+use super::wave;
+
+/// Bytes that a processor's caches hold, about.
+const CACHE: u64 = 1 << 25;
+
+/// Rays that are traced together: few enough to stay in a core's cache.
+const AT_ONCE: usize = 4096;
+
+/// Answers a query for many rays. The tree needs stacks of less than [`HEIGHT`](super::HEIGHT).
+pub(super) fn search<P: Primitives, Q: Query, C: Counters>(
+    tree: &Bvh8,
+    query: &Q,
+    primitives: &P,
+    rays: &[Ray],
+    answers: &mut [Q::Answer],
+    scratch: &mut Scratch,
+    counters: &mut C,
+) {
+    let task = Task::new(tree, query, primitives);
+    scratch.lend(|memory, _| dispatch(Search { task, rays, answers, memory, counters }));
+}
+
+/// What is searched, and for what.
+pub(super) struct Task<'a, P: Primitives, Q> {
+    pub(super) tree: &'a Bvh8,
+    pub(super) query: &'a Q,
+    pub(super) primitives: &'a P,
+    pub(super) packs: &'a P::Packs,
+    pub(super) padding: Padding,
+    /// Whether nodes and packs do not fit into the caches, so that rays ask for what they are about
+    /// to read.
+    pub(super) large: bool,
+}
+
+impl<'a, P: Primitives, Q: Query> Task<'a, P, Q> {
+    fn new(tree: &'a Bvh8, query: &'a Q, primitives: &'a P) -> Self {
+        let packs = primitives.packs();
+        let bytes = size_of_val(&tree.nodes[..]) as u64 + packs.bytes();
+        let padding = primitives.padding();
+        Self { tree, query, primitives, packs, padding, large: bytes > CACHE }
+    }
+
+    /// Asks the caches for what will be visited soon.
+    #[inline(always)]
+    pub(super) fn prefetch(&self, child: Child) {
+        if child.is_leaf() {
+            self.packs.prefetch(child.block());
+        } else {
+            prefetch(&self.tree.nodes[child.index()]);
+        }
+    }
+}
+
+/// The kernels' memory.
+#[derive(Default)]
+struct Memory {
+    wave: wave::Memory,
+    packet: packet::Stack,
+    /// Rays that go down in waves from the root, by their place in the slice.
+    incoherent: Vec<u32>,
+    /// Rays that go on in waves from where their packet diverged.
+    diverged: Diverged,
+}
+
+/// The search for a slice of rays.
+struct Search<'a, P: Primitives, Q: Query, C> {
+    task: Task<'a, P, Q>,
+    rays: &'a [Ray],
+    answers: &'a mut [Q::Answer],
+    memory: &'a mut Memory,
+    counters: &'a mut C,
+}
+
+impl<P: Primitives, Q: Query, C: Counters> Kernel for Search<'_, P, Q, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { task, rays, answers, memory, counters } = self;
+        for (rays, answers) in rays.chunks(AT_ONCE).zip(answers.chunks_mut(AT_ONCE)) {
+            memory.search::<S, P, Q, C>(&task, rays, answers, counters);
+        }
+    }
+}
+
+impl Memory {
+    /// Rays go down by sixteens where and as long as they are coherent, and else in waves.
+    #[inline(always)]
+    fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
+        &mut self,
+        task: &Task<'_, P, Q>,
+        rays: &[Ray],
+        answers: &mut [Q::Answer],
+        counters: &mut C,
+    ) {
+        let Self { wave, packet, incoherent, diverged } = self;
+        incoherent.clear();
+        diverged.clear();
+        let (packets, rest) = rays.as_chunks::<{ packet::RAYS }>();
+        let (of_packets, _) = answers.as_chunks_mut::<{ packet::RAYS }>();
+        for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
+            let first = (number * packet::RAYS) as u32;
+            let numbered = (first, rays);
+            let outcome = packet::search::<S, P, Q, C, false>(
+                task, numbered, answers, packet, diverged, counters,
+            );
+            if outcome == Outcome::Incoherent {
+                incoherent.extend(first..first + packet::RAYS as u32);
+            }
+        }
+        incoherent.extend((rays.len() - rest.len()) as u32..rays.len() as u32);
+        let waiting = (&incoherent[..], &*diverged);
+        wave::search::<S, P, Q, C>(task, rays, waiting, answers, wave, counters);
+    }
+}
