@@ -2,7 +2,7 @@
 
 /// Receives what a structure and its primitives do for one or more rays.
 pub trait Counters {
-    /// Whether anything is counted: what must be computed in order to be counted asks this first.
+    /// Whether anything is counted: what is computed only to be counted depends on it.
     const COUNTS: bool;
     /// `n` bounding volumes were tested.
     fn boxes(&mut self, n: u32);

@@ -3,7 +3,7 @@
 //! The tree is built by PLOC (Meister, Bittner: *Parallel Locally-Ordered Clustering for Bounding
 //! Volume Hierarchy Construction*, 2018), improved by reinsertion (Meister, Bittner: *Parallel
 //! Reinsertion for Bounding Volume Hierarchy Optimization*, 2018), and its leaves are collapsed by
-//! the surface area heuristic: all by obvhs. obvhs's own traversal prunes with `<` and knows no
+//! the surface area heuristic: all by obvhs. obvhs's own traversal prunes with `<` and without
 //! padding, so it cannot keep the contract of [`Accel`]. The walk below does; for it, the boxes of
 //! both children are laid side by side in their parent, a cache line for each pair.
 

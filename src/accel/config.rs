@@ -51,7 +51,7 @@ impl Quality {
     }
 }
 
-/// What a build is told beside the primitives.
+/// What the caller chooses of a build.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BuildConfig {
     /// Time against quality.

@@ -61,7 +61,7 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         }
         let mut check_time = Duration::ZERO;
         if let Some(order) = &built.order {
-            // No part of the build: a structure is not to pay for being trusted little.
+            // The check is no part of what a build costs.
             let check = Instant::now();
             order::assert_whole(order, primitives.count(), grain);
             check_time = check.elapsed();

@@ -199,7 +199,7 @@ pub trait Primitives: Bounded + Send + Sync {
 /// The order and the number of the rays in a slice never change an answer. Counting is chosen by
 /// the call; without it the search is compiled without counters.
 pub trait Tracer: Send + Sync {
-    /// Answers what the kind of `answers` asks about each ray.
+    /// Answers the query that the kind of `answers` stands for, for each ray.
     ///
     /// # Panics
     /// If the slices differ in length.

@@ -26,7 +26,7 @@ pub struct PackHits<L: Lanes> {
 /// parameter that is NaN.
 pub trait Packs: Sync {
     /// How many slots a single ray is tested with at once: ranges that begin at a multiple of it are
-    /// the cheapest. 1 says that there are no packs, and that none of the methods is called.
+    /// the cheapest. 1 means that there are no packs, and that none of the methods is called.
     const GRAIN: u32;
 
     /// One ray against the eight primitives of a pack.
@@ -50,7 +50,7 @@ pub trait Packs: Sync {
     /// [`Packs::bounds`]. Hits are accepted by either.
     fn boxes<S: Simd>(&self, pack: usize) -> [Lanes3<S::F8>; 2];
 
-    /// Asks the caches for a pack that will be tested soon.
+    /// Prefetches a pack that will be tested soon.
     fn prefetch(&self, pack: usize);
 
     /// Bytes of all packs.
@@ -68,7 +68,7 @@ pub trait Packs: Sync {
 pub struct NoPacks;
 
 /// Why a method of [`NoPacks`] is not called.
-const NONE: &str = "a grain of 1 says that there are no packs";
+const NONE: &str = "a grain of 1 means that there are no packs";
 
 impl Packs for NoPacks {
     const GRAIN: u32 = 1;

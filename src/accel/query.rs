@@ -1,7 +1,7 @@
-//! What can be asked of a ray: its closest hit, whether there is any hit, all hits, their number.
+//! Queries: the closest hit of a ray, whether there is any hit, all hits.
 //!
 //! A query is one type, known to structures, primitives and tracers alike. Its answer grows while a
-//! ray is searched: it starts empty, records hits, and says how far further hits would count.
+//! ray is searched: it starts empty and records hits, and the query knows from it how far further hits would count.
 
 use crate::math::{Hit, Ray};
 
@@ -188,7 +188,7 @@ impl Query for AllHits {
     }
 }
 
-/// Another query, of those hits alone that pass a filter: the alpha test of a leaf's texture, say.
+/// Another query, of those hits alone that pass a filter: for example by the alpha of a texture.
 #[derive(Debug)]
 pub struct Filtered<'a, Q, F> {
     query: Q,
@@ -249,8 +249,8 @@ impl<Q: Query, F: Fn(&Ray, &Hit) -> bool + Sync> Query for Filtered<'_, Q, F> {
     }
 }
 
-/// Memory for the answers of a slice of rays, by what is asked of them: a query that is chosen as
-/// the program runs.
+/// Memory for the answers of a slice of rays. Its kind is the query: one that is chosen as the program
+/// runs.
 #[derive(Debug)]
 pub enum Answers<'a> {
     /// [`ClosestHit`].

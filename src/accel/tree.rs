@@ -65,7 +65,7 @@ enum Step<N> {
 }
 
 impl TreeNode {
-    /// What a ray that enters pays: 1 for each test of a child's box or of a primitive, as in
+    /// The cost of a ray that enters: 1 for each test of a child's box or of a primitive, as in
     /// [`StructureShape::sah_cost`](super::StructureShape::sah_cost).
     #[must_use]
     pub fn cost(&self) -> f64 {

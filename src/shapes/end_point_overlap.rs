@@ -7,7 +7,7 @@
 //! EPO = Σ over nodes *n* of C(*n*) · A((S \ Q(*n*)) ∩ *n*) / A(S)
 //!
 //! S is the whole surface, Q(*n*) that of the triangles below the node, A area, and C what a ray
-//! pays that enters ([`TreeNode::cost`](crate::accel::TreeNode::cost)).
+//! that enters has to pay ([`TreeNode::cost`](crate::accel::TreeNode::cost)).
 
 use glam::DVec3;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -33,7 +33,7 @@ pub struct EndPointOverlap {
 }
 
 impl EndPointOverlap {
-    /// What a ray pays that ends in two meshes: costs are added, as for the surface area heuristic.
+    /// The cost of a ray that ends in two meshes: costs are added, as for the surface area heuristic.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self {

@@ -1,6 +1,6 @@
 //! The forms that rays hit: one file a shape, each with its formula, its box, and its point.
 //!
-//! A formula is written once and called by every structure. Shapes know nothing of scenes,
+//! A formula is written once and called by every structure. Shapes do not depend on scenes,
 //! materials or files; transforms are applied before a ray gets here.
 
 mod ball;

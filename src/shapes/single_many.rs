@@ -1,7 +1,7 @@
 //! Many rays against one shape, sixteen at a time.
 //!
 //! Every lane does what `single.rs` does for one ray, with the same operations in the same order:
-//! what is divided, compared and told is the same to the bit.
+//! what is divided, compared and returned is the same to the bit.
 
 use crate::accel::{Query, Search};
 use crate::math::{BoxRay, Hit, Lanes, Mask as _, Ray, ones, within};
@@ -261,9 +261,9 @@ mod tests {
         single.test_many(&AnyHit, instance, (rays, &which), &mut blocked);
         let mut hits = 0;
         for (place_in_slice, ray) in rays.iter().enumerate() {
-            let asked = which.contains(&(place_in_slice as u32));
+            let tested = which.contains(&(place_in_slice as u32));
             let mut expected = Hit::none_before(ray.t_max);
-            if asked {
+            if tested {
                 let box_ray = BoxRay::new(ray, instance.padding);
                 single.test(&ClosestHit, instance, ray, &box_ray, &mut expected);
             }

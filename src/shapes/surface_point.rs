@@ -10,6 +10,6 @@ pub struct SurfacePoint {
     /// Outward unit normal: perpendicular to the surface, on the outside of a closed one.
     pub normal: DVec3,
     /// A distance from the surface, along the normal, at which the `f32` formula of the shape
-    /// tells the sides apart: rays that start nearer may hit where they start.
+    /// separates the sides: rays that start nearer may hit where they start.
     pub clearance: f64,
 }

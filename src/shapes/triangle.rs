@@ -2,7 +2,7 @@
 //!
 //! T. Möller, B. Trumbore: *Fast, Minimum Storage Ray/Triangle Intersection*, 1997; here on a
 //! corner and two edges, with the determinant's sign taken out so that the inside test needs no
-//! division. A triangle is what its stored corner and edges say: its other corners are `v0 + e1`
+//! division. A triangle is defined by its stored corner and edges: its other corners are `v0 + e1`
 //! and `v0 + e2` in `f32`, and its box is the box of these.
 
 use glam::{DVec3, Vec3, Vec3A};
@@ -103,8 +103,8 @@ impl Triangle {
     }
 
     /// The parameter and the barycentric weights of the second and third corner at which a ray hits
-    /// the triangle within its interval. The triangle's own box is not asked: that is left to the
-    /// caller, who knows the padding.
+    /// the triangle within its interval. The triangle's own box is not tested: that is left to the
+    /// caller, who has the padding.
     #[inline]
     #[must_use]
     pub fn intersect(&self, ray: &Ray) -> Option<(f32, f32, f32)> {

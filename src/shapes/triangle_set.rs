@@ -63,7 +63,7 @@ impl LaneRay {
     }
 }
 
-/// What a pack offers a ray: lanes whose triangle is hit at an acceptable `t`, boxes not yet asked.
+/// What a pack offers a ray: lanes whose triangle is hit at an acceptable `t`, before their boxes are tested.
 struct Candidates {
     t: Vec4,
     u: Vec4,

@@ -28,7 +28,7 @@ pub enum IsaError {
     #[error("unknown instruction set `{0}` in SRT_ISA: use portable, avx2 or avx512")]
     Unknown(String),
     /// The processor, or the target that the program was compiled for, lacks it.
-    #[error("this processor lacks the instruction set `{}` that SRT_ISA asks for", .0.name())]
+    #[error("this processor lacks the instruction set `{}` that SRT_ISA names", .0.name())]
     Absent(Isa),
 }
 
@@ -104,7 +104,7 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
 #[inline]
 fn dispatch_to<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
     match isa {
-        // SAFETY: `is_present` says that the processor has all features that the function enables.
+        // SAFETY: `is_present` checked that the processor has all features that the function enables.
         #[cfg(target_arch = "x86_64")]
         Isa::Avx2 if isa.is_present() => unsafe { x86::run_avx2(kernel) },
         // SAFETY: as above.

@@ -4,7 +4,8 @@
 #[cfg(target_arch = "x86_64")]
 const LINE: usize = 64;
 
-/// Asks the caches for all lines of a value. Does nothing where the processor cannot be asked.
+/// Loads all cache lines of a value ahead of their use. Does nothing where the processor has no such
+/// instruction.
 #[inline(always)]
 pub fn prefetch<T>(value: &T) {
     #[cfg(target_arch = "x86_64")]

@@ -1,4 +1,4 @@
-//! What a kernel asks of an instruction set.
+//! What a kernel needs of an instruction set.
 
 use crate::math::{Lanes, Lanes3, Mask as _};
 
@@ -6,7 +6,7 @@ use crate::math::{Lanes, Lanes3, Mask as _};
 pub trait Row<const N: usize>: Lanes {
     /// The values of an array.
     fn load(values: &[f32; N]) -> Self;
-    /// The values whose bits stand in an array.
+    /// The values whose bits are in an array.
     fn load_bits(bits: &[u32; N]) -> Self;
     /// Writes the lanes to an array.
     fn store(self, values: &mut [f32; N]);
@@ -35,7 +35,7 @@ pub fn splat3<R: Lanes>([x, y, z]: [f32; 3]) -> Lanes3<R> {
 pub const LANES: usize = 16;
 
 /// An instruction set. Its types cannot be named outside of this layer: a kernel gets them from
-/// [`dispatch`](super::dispatch), which knows that the processor has them.
+/// [`dispatch`](super::dispatch), which has checked that the processor has them.
 pub trait Simd: Copy + Send + Sync + 'static {
     /// Eight floats.
     type F8: Row<8>;

@@ -59,7 +59,7 @@ pub(super) unsafe fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Avx512>()
 }
 
-/// An intrinsic, called under the reason that stands at the head of the file.
+/// An intrinsic, safe to call for the reason at the head of the file.
 macro_rules! op {
     ($call:expr) => {{
         // SAFETY: see the head of the file.
@@ -94,13 +94,13 @@ pub(super) struct SixteenBits(__mmask16);
 /// The sign bits of eight floats.
 ///
 /// `_mm256_movemask_ps` would do, but for what is made of it: two halves of sixteen lanes are packed
-/// into one register and asked at once, which takes twice as long as asking each.
+/// into one register and read at once, which takes twice as long as reading each.
 #[inline]
 #[target_feature(enable = "avx2")]
 fn sign_bits(row: __m256) -> u32 {
     let bits: u32;
     // SAFETY: one instruction of AVX, which reads a register and writes another, and touches neither
-    // memory nor flags; the processor has it, as the head of the file says.
+    // memory nor flags; the processor has it: see the head of the file.
     unsafe {
         asm!(
             "vmovmskps {bits:e}, {row}",

@@ -1,11 +1,11 @@
 //! A binary tree built from the top by the surface area heuristic, a primitive in each leaf.
 //!
-//! A node's primitives are sorted into bins by their centres, along each axis, and are parted
+//! A node's primitives are sorted into bins by their centres, along each axis, and are split
 //! between the two bins where the expected cost is the least. Primitives that are tested together
 //! are counted in whole packs, which fills the leaves. After Wald: *On fast Construction of
 //! SAH-based Bounding Volume Hierarchies*, 2007.
 //!
-//! A subtree of n primitives has 2n − 1 nodes. So both parts know their places before they are
+//! A subtree of n primitives has 2n − 1 nodes. So the places of both halves are known before they are
 //! built, and are built in parallel; which thread does it changes nothing.
 
 use glam::Vec4;
@@ -137,7 +137,7 @@ fn grow(part: Part<'_>, below: &mut [Bvh2Node], base: u32, depth: u32) -> Bvh2No
 }
 
 impl<'a> Part<'a> {
-    /// Parts at least two primitives. Not inlined: its bins would stand in every frame of the
+    /// Splits at least two primitives. Not inlined: its bins would stand in every frame of the
     /// recursion.
     #[inline(never)]
     fn split(self, depth: u32) -> [Self; 2] {
@@ -167,7 +167,7 @@ impl<'a> Part<'a> {
                 self.references.swap(front, back);
             }
         }
-        self.parts(front, left, right)
+        self.halves(front, left, right)
     }
 
     /// Parts them by number.
@@ -180,10 +180,10 @@ impl<'a> Part<'a> {
         };
         let (left, right) = self.references.split_at(count);
         let (left, right) = (around(left), around(right));
-        self.parts(count, left, right)
+        self.halves(count, left, right)
     }
 
-    fn parts(self, count: usize, left: [Region; 2], right: [Region; 2]) -> [Self; 2] {
+    fn halves(self, count: usize, left: [Region; 2], right: [Region; 2]) -> [Self; 2] {
         let (front, back) = self.references.split_at_mut(count);
         let part = |references, first, [bounds, centers]: [Region; 2]| Part {
             references,

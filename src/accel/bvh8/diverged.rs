@@ -1,4 +1,4 @@
-//! Rays whose packet diverged on the way: what they have found, and what is still to be visited.
+//! Rays whose packet diverged on the way: what they have found, and what they are still to visit.
 
 use crate::math::Hit;
 

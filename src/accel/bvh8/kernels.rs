@@ -38,8 +38,8 @@ pub(super) struct Task<'a, P: Primitives, Q> {
     pub(super) primitives: &'a P,
     pub(super) packs: &'a P::Packs,
     pub(super) padding: Padding,
-    /// Whether nodes and packs do not fit into the caches, so that rays ask for what they are about
-    /// to read.
+    /// Whether nodes and packs do not fit into the caches, so that what rays are
+    /// about to read is prefetched.
     pub(super) large: bool,
 }
 
@@ -51,7 +51,7 @@ impl<'a, P: Primitives, Q: Query> Task<'a, P, Q> {
         Self { tree, query, primitives, packs, padding, large: bytes > CACHE }
     }
 
-    /// Asks the caches for what will be visited soon.
+    /// Prefetches what will be visited soon.
     #[inline(always)]
     pub(super) fn prefetch(&self, child: Child) {
         if child.is_leaf() {

@@ -157,7 +157,7 @@ impl Accel for Bvh8 {
 }
 
 /// The most entries that a subtree can put on a stack: all of a node's children, or all but one
-/// and what that one puts there. Children stand behind their parents.
+/// and what that one puts there. Children have larger indices than their parents.
 fn stack_need(nodes: &[Node]) -> usize {
     let mut need = vec![0; nodes.len()];
     for (index, node) in nodes.iter().enumerate().rev() {

@@ -22,31 +22,31 @@ pub(super) struct Node {
 /// Rows of a node: a power of two, so that every number cut to its bits begins a row.
 const ROWS: usize = 8;
 
-/// Where the children stand: see [`Child`].
+/// The first word of the children: see [`Child`].
 const CHILDREN: usize = 6 * WIDTH;
 
-/// Where the orders stand. For each octant of directions there are three bits in every word: which
+/// The first word of the orders. For each octant of directions there are three bits in every word: which
 /// child comes in this place, the farthest first.
 const ORDERS: usize = 7 * WIDTH;
 
 /// The bit in which the places of near and far planes differ.
 pub(super) const FAR: u32 = WIDTH as u32;
 
-/// Where the planes stand that are the near ones for rays of an octant: a bit of it is set for each
-/// axis along which they run backwards. The far ones stand at the same places with [`FAR`] changed.
+/// The places of the planes that are the near ones for rays of an octant: a bit of it is set for each
+/// axis along which they run backwards. The far ones are at the same places with [`FAR`] flipped.
 #[inline(always)]
 pub(super) fn near_planes(octant: u32) -> [u32; 3] {
     let place = |axis: u32| (2 * axis + (octant >> axis & 1)) * WIDTH as u32;
     [place(0), place(1), place(2)]
 }
 
-/// Where an octant's order stands in the words of [`Node::orders`].
+/// The first bit of an octant's order in the words of [`Node::orders`].
 #[inline(always)]
 pub(super) fn order_shift(octant: u32) -> u32 {
     3 * octant
 }
 
-/// A child in a word, as it stands on stacks: the index of a node, or a leaf's range of slots.
+/// A child in a word, as it is kept on stacks: the index of a node, or a leaf's range of slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Child(pub(super) u32);
 
@@ -55,7 +55,7 @@ const COUNT_SHIFT: u32 = 28;
 const BLOCK_MASK: u32 = (1 << COUNT_SHIFT) - 1;
 
 impl Child {
-    /// No child; also what lies at the bottom of a stack. It passes for a leaf.
+    /// No child; also the bottom of a stack. [`is_leaf`](Self::is_leaf) holds for it.
     pub(super) const ABSENT: Self = Self(u32::MAX);
 
     /// The largest number of blocks of slots, and of nodes.
@@ -121,7 +121,7 @@ impl Node {
         behind.first_chunk().expect("rows are whole")
     }
 
-    /// The planes that stand at a place: see [`near_planes`].
+    /// The planes at a place: see [`near_planes`].
     #[inline(always)]
     pub(super) fn planes<S: Simd>(&self, place: u32) -> S::F8 {
         S::F8::load_bits(self.row(place as usize))
@@ -147,7 +147,7 @@ impl Node {
         (begin, end)
     }
 
-    /// One child's plane of those that stand at a place.
+    /// One child's plane of those at a place.
     #[inline(always)]
     pub(super) fn plane(&self, place: u32, lane: usize) -> f32 {
         f32::from_bits(self.row(place as usize)[lane % WIDTH])

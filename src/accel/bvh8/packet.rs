@@ -614,7 +614,7 @@ mod tests {
     /// For each child, where each of sixteen rays enters and leaves it, and what bounds these.
     struct Intervals<'a>(&'a [Ray; RAYS], &'a Node, Padding);
 
-    /// What a kernel says of a node: of each child and ray, and of each child.
+    /// The intervals of a kernel in a node: for each child and ray, and for each child.
     struct Met {
         of_rays: [[[f32; RAYS]; 2]; PACK],
         of_all: [[f32; PACK]; 2],

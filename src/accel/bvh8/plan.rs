@@ -1,7 +1,7 @@
 //! Which nodes of a binary tree become nodes of a wide one, and which become leaves.
 //!
 //! Chosen by dynamic programming on the surface area heuristic: for every binary node and every
-//! number of roots, the cheapest forest that stands for it. After Ylitie, Karras, Laine: *Efficient
+//! number of roots, the cheapest forest that can replace it. After Ylitie, Karras, Laine: *Efficient
 //! Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs*, 2017, section 3.1.
 //!
 //! A node's choices depend on its children's alone, so subtrees are planned in parallel, and how
@@ -42,7 +42,7 @@ const LEAF: u32 = 15;
 /// As many roots are no better than one less.
 const ONE_LESS: u32 = 0;
 
-/// The cheapest ways to stand for a binary node.
+/// The cheapest replacements of a binary node.
 #[derive(Clone, Copy)]
 pub(super) struct Forests {
     /// The cost with at most 1, 2, … 7 roots.

@@ -1,6 +1,6 @@
 //! Streams: many rays go down the tree together, to primitives that each take time.
 //!
-//! A node is visited once, by all rays of a stream that meet it, and a primitive is asked once, about
+//! A node is visited once, by all rays of a stream that meet it, and a primitive is tested once, with
 //! all rays that meet its box: so its matrix, or the structure within it, is met by many rays while
 //! it is at hand. After Barringer, Akenine-Möller: *Dynamic Ray Stream Traversal*, 2014.
 //!
@@ -8,7 +8,7 @@
 //! for each octant of directions: push (root, its rays)
 //! while something is on the stack:
 //!     pop (child, rays)
-//!     a leaf:  ask its primitives about the rays
+//!     a leaf:  test its primitives with the rays
 //!     a node:  test each ray against the eight boxes before the end of its search, and append it to
 //!              the lists of the children that it enters; push these, the farthest first
 //! ```

@@ -1,7 +1,7 @@
 //! Waves: dozens of rays in flight on one thread, without a branch that cannot be foreseen.
 //!
 //! A ray that walks a tree alone takes a turn at every node that no processor can predict, and
-//! waits. Here each ray stands in a list: of rays at a node, at a leaf, with a candidate for the
+//! waits. Here each ray is in a list: of rays at a node, at a leaf, with a candidate for the
 //! closest hit, or done. A phase goes through its list, does the same work for each ray and appends
 //! it, by arithmetic, to the list that it belongs to next. The rays of a phase do not depend on
 //! each other, so the processor works on several at once.
@@ -30,8 +30,8 @@ pub(super) struct Memory {
     candidates: [Candidates; RAYS],
 }
 
-/// A ray in flight. What a visit of a node reads stands in the first cache line, what a visit of a
-/// leaf reads in the next.
+/// A ray in flight. What a visit of a node reads is in the first cache line, what a visit of a leaf
+/// reads in the next.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 struct Slot {
@@ -47,7 +47,7 @@ struct Slot {
     order_shift: u32,
 
     origin: [f32; 3],
-    /// Where it stands.
+    /// What it visits next.
     at: Child,
     dir: [f32; 3],
     /// The best hit.
@@ -58,7 +58,7 @@ struct Slot {
     ray: u32,
 
     box_ray: BoxRay,
-    /// The stack: what is to be visited, and where it begins. At the bottom lies the end.
+    /// The stack: what is to be visited, and where it begins. At the bottom is the end.
     entries: [u32; ROOM],
     distances: [f32; ROOM],
 }
@@ -93,7 +93,7 @@ impl List {
         self.length += usize::from(belongs);
     }
 
-    /// Empties the list, and returns how many slots it had. They still stand there: whoever goes
+    /// Empties the list, and returns how many slots it had. They are still there: whoever goes
     /// through them may append each, or not, behind those that it has appended before.
     #[inline(always)]
     fn restart(&mut self) -> usize {
@@ -273,7 +273,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
             let in_reach = within(t, [S::F8::splat(slot.t_min), S::F8::splat(slot.end)]);
             let lanes = (hits.inside & in_reach).bits();
             if any {
-                // A candidate nearly always ends the search: one surprise a ray at most.
+                // A candidate nearly always ends the search: at most one misprediction a ray.
                 if lanes != 0 {
                     t.store(&mut candidates[0].t);
                     candidates[0].lanes = lanes;

@@ -93,7 +93,7 @@ fn compare(scene: &Scene) {
 }
 
 #[test]
-fn packets_parked_rays_and_waves_find_what_none_finds() {
+fn packets_diverged_rays_and_waves_find_what_none_finds() {
     compare(&scene(vec![(mesh(), DAffine3::IDENTITY)]));
 }
 
