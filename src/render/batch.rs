@@ -7,7 +7,7 @@ use crate::math::{Color, Hit, Ray, hash_u64};
 use crate::scene::{Light, Scene, Surface};
 
 use super::finish::Finish;
-use super::light_samples::{Dealt, LightSamples};
+use super::light_samples::{LightSamples, SampleAssignment};
 use super::optics::{mirror, refract};
 use super::shadows::Shadows;
 use super::times::Stopwatch;
@@ -60,7 +60,7 @@ pub(super) struct Batch {
     pub(super) colors: Vec<Color>,
     pub(super) shaded: Vec<Shaded>,
     /// For each light, the samples that go to each view sample.
-    pub(super) dealt: Vec<Dealt>,
+    pub(super) assignment: Vec<SampleAssignment>,
     stopwatch: Stopwatch,
     hits: Vec<Hit>,
     waves: [Wave; 5],
@@ -98,7 +98,7 @@ impl Batch {
             pixels: Vec::new(),
             colors: Vec::new(),
             shaded: Vec::new(),
-            dealt: std::iter::repeat_with(Dealt::default).take(lights).collect(),
+            assignment: std::iter::repeat_with(SampleAssignment::default).take(lights).collect(),
             stopwatch: Stopwatch::start(),
             hits: Vec::new(),
             waves: Default::default(),
@@ -177,12 +177,13 @@ impl Batch {
         }
         self.colors.clear();
         self.colors.resize(wave.rays.len(), Color::ZERO);
-        let lights = context.scene.lights.iter().zip(&mut self.dealt).enumerate();
+        let lights = context.scene.lights.iter().zip(&mut self.assignment).enumerate();
         // Point lights need no samples.
-        for (light, (_, dealt)) in lights.filter(|(_, (l, _))| matches!(l, Light::Area { .. })) {
-            dealt.clear();
+        for (light, (_, assignment)) in lights.filter(|(_, (l, _))| matches!(l, Light::Area { .. }))
+        {
+            assignment.clear();
             for &pixel in &self.pixels {
-                context.light_samples.deal(pixel.key(), light, dealt);
+                context.light_samples.assign(pixel.key(), light, assignment);
             }
         }
         self.lap(Stage::MakingRays);

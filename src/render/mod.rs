@@ -24,9 +24,9 @@ mod view_rays;
 mod views;
 
 pub use color_map::{Scale, Spacing, heat_picture};
-pub use light_samples::{Dealt, LightSamples};
+pub use light_samples::{LightSamples, SampleAssignment};
 pub use observer::{Observer, Silent};
 pub use settings::{Crop, Sampling, Settings, View};
 pub use stats::{ClassStats, RayClass, RenderStats};
-pub use tiles::{Rendering, Sight, render};
+pub use tiles::{Image, Rendering, render};
 pub use times::{Stage, StageTimes};

@@ -8,11 +8,11 @@ use crate::scene::Scene;
 /// `docs/sampling.md`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sampling {
-    /// Jittered samples that are made once, shuffled for each pixel and light, and dealt out to
-    /// the pixel's view samples: together they cover the light evenly.
+    /// Jittered samples that are made once, shuffled for each pixel and light, and assigned to the
+    /// pixel's view samples: together they cover the light evenly.
     #[default]
     Shuffled,
-    /// Samples made on the fly, for each view sample on its own.
+    /// Samples made on the fly, for each view sample separately.
     Independent,
 }
 

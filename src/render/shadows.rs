@@ -185,10 +185,10 @@ fn points<'a>(
 ) -> [&'a [[f32; 2]]; LANES] {
     let mut points: [&[[f32; 2]]; LANES] = [&[[0.0; 2]]; LANES];
     if let Light::Area { .. } = context.scene.lights[light] {
-        let dealt = &batch.dealt[light];
+        let assignment = &batch.assignment[light];
         for ((points, shaded), buffer) in points.iter_mut().zip(surfaces).zip(buffers) {
             let (sample, key) = (shaded.path.sample as usize, shaded.path.key);
-            *points = context.light_samples.points(dealt, light, sample, key, buffer);
+            *points = context.light_samples.points(assignment, light, sample, key, buffer);
         }
         // Lanes without a surface take what another takes.
         let first = points[0];

@@ -27,26 +27,29 @@ const SAMPLES_AT_ONCE: usize = 1024;
 #[derive(Clone, Debug)]
 pub struct Rendering {
     /// What the pixels show.
-    pub sight: Sight,
-    /// Whether every tile was rendered; if not, the missing ones are black, or NaN in a field.
+    pub image: Image,
+    /// Whether every tile was rendered. If not, the missing ones are black, or NaN in scalars.
     pub complete: bool,
     /// What the rays did.
     pub stats: RenderStats,
 }
 
-/// The content of a rendering.
+/// What a rendering shows, pixel by pixel. The [`View`] decides whether it is colours or scalars.
+///
+/// Colours are a [`Picture`], which an image file can hold. Scalars become a picture by a colour
+/// scale ([`heat_picture`](super::heat_picture)).
 #[derive(Clone, Debug, PartialEq)]
-pub enum Sight {
-    /// Colours.
-    Picture(Picture),
-    /// One number a pixel, row by row from the top left: a depth, or a count.
-    Field {
+pub enum Image {
+    /// A colour per pixel.
+    Color(Picture),
+    /// A number per pixel: a distance in the scene's unit, or a count.
+    Scalar {
         /// Width in pixels.
         width: u32,
         /// Height in pixels.
         height: u32,
-        /// The numbers; NaN where nothing is seen, and where nothing was rendered, so that the
-        /// scale of the others is theirs alone.
+        /// The numbers, row by row from the top left. They are NaN where nothing is seen and where
+        /// nothing was rendered, so that such pixels do not stretch the colour scale.
         values: Vec<f32>,
     },
 }
@@ -212,8 +215,8 @@ fn assemble(
     start: Instant,
 ) -> Rendering {
     let (width, height) = (region.width(), region.height());
-    let is_field = matches!(settings.view, View::Depth | View::Heatmap);
-    let missing = if is_field { Color::NAN } else { Color::ZERO };
+    let is_scalar = matches!(settings.view, View::Depth | View::Heatmap);
+    let missing = if is_scalar { Color::NAN } else { Color::ZERO };
     let mut picture =
         Picture { width, height, pixels: vec![missing; width as usize * height as usize] };
     let mut stats = RenderStats::default();
@@ -227,13 +230,13 @@ fn assemble(
         }
     }
     stats.time = start.elapsed();
-    let sight = if is_field {
+    let image = if is_scalar {
         let values = picture.pixels.iter().map(|pixel| pixel.x).collect();
-        Sight::Field { width, height, values }
+        Image::Scalar { width, height, values }
     } else {
-        Sight::Picture(picture)
+        Image::Color(picture)
     };
-    Rendering { sight, complete, stats }
+    Rendering { image, complete, stats }
 }
 
 #[cfg(test)]
@@ -262,11 +265,11 @@ mod tests {
     }
 
     #[test]
-    fn what_was_not_rendered_does_not_stretch_the_scale() {
+    fn missing_tiles_do_not_stretch_the_scale() {
         for view in [View::Depth, View::Heatmap] {
             let rendering = half_rendered(view);
             assert!(!rendering.complete);
-            let Sight::Field { values, .. } = rendering.sight else { panic!("not a field") };
+            let Image::Scalar { values, .. } = rendering.image else { panic!("not scalars") };
             let scale = Scale { low: 5.0, high: 36.0, spacing: Spacing::Linear };
             assert_eq!(Scale::of(&values), Some(scale));
             assert!(values[16..20].iter().all(|value| value.is_nan()));
@@ -274,8 +277,8 @@ mod tests {
     }
 
     #[test]
-    fn what_was_not_rendered_of_a_picture_is_black() {
-        let Sight::Picture(picture) = half_rendered(View::Color).sight else { panic!("a field") };
+    fn missing_tiles_of_a_picture_are_black() {
+        let Image::Color(picture) = half_rendered(View::Color).image else { panic!("not colours") };
         assert_eq!(picture.pixels[15], Color::splat(20.0));
         assert_eq!(picture.pixels[16], Color::ZERO);
     }
