@@ -6,7 +6,7 @@ mod common;
 use std::fs;
 
 use srt::image_io::{Picture, compare};
-use srt::render::{Settings, Sight};
+use srt::render::{Image, Settings};
 use srt::scene::{STRUCTURES, Scene, Structure};
 
 use common::{compiled, in_project, load, on_threads, rendered, scene_paths, stem};
@@ -25,8 +25,8 @@ fn settings(scene: &Scene) -> Settings {
 
 fn picture(scene: &Scene, structure: &str, threads: usize) -> Picture {
     match on_threads(threads, || rendered(scene, structure, &settings(scene))) {
-        Sight::Picture(picture) => picture,
-        Sight::Field { .. } => panic!("not a picture"),
+        Image::Color(picture) => picture,
+        Image::Scalar { .. } => panic!("not a picture"),
     }
 }
 

@@ -6,7 +6,7 @@ use criterion::BenchmarkGroup;
 use criterion::measurement::WallTime;
 use srt::accel::{BuildConfig, Tracer};
 use srt::image_io::{Picture, compare};
-use srt::render::{Sampling, Settings, Sight, Silent, render};
+use srt::render::{Image, Sampling, Settings, Silent, render};
 use srt::scene::{Scene, structure_named};
 use srt::scene_file::{ParseOptions, parse};
 
@@ -52,8 +52,8 @@ pub(crate) fn measure(group: &mut BenchmarkGroup<'_, WallTime>) {
 }
 
 fn picture(scene: &Scene, tracer: &dyn Tracer, settings: &Settings) -> Picture {
-    match render(scene, tracer, settings, &Silent).sight {
-        Sight::Picture(picture) => picture,
-        Sight::Field { .. } => unreachable!("colours were asked for"),
+    match render(scene, tracer, settings, &Silent).image {
+        Image::Color(picture) => picture,
+        Image::Scalar { .. } => unreachable!("colours were asked for"),
     }
 }

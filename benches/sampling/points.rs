@@ -5,7 +5,7 @@ use std::hint::black_box;
 use criterion::BenchmarkGroup;
 use criterion::measurement::WallTime;
 use srt::math::Random;
-use srt::render::{Dealt, LightSamples, Sampling};
+use srt::render::{LightSamples, SampleAssignment, Sampling};
 
 /// View samples along each side of a pixel.
 const SIDE: u32 = 4;
@@ -22,24 +22,25 @@ pub(crate) fn measure(group: &mut BenchmarkGroup<'_, WallTime>) {
         check(&shuffled, SIDE * light_side);
         check(&independent, light_side);
         if light_side == 1 {
-            let (mut pixel, mut dealt) = (0, Dealt::default());
+            let (mut pixel, mut assignment) = (0, SampleAssignment::default());
             group.bench_function(format!("shuffle-{}", SIDE * SIDE), |b| {
                 b.iter(|| {
                     pixel += 1;
-                    dealt.clear();
-                    shuffled.deal(pixel, 0, &mut dealt);
-                    black_box(&dealt);
+                    assignment.clear();
+                    shuffled.assign(pixel, 0, &mut assignment);
+                    black_box(&assignment);
                 });
             });
         }
         let count = light_side * light_side;
         for (name, samples) in [("take", &shuffled), ("make", &independent)] {
-            let dealt = dealt_to(samples, 1);
+            let assignment = assignment_of(samples, 1);
             let (mut buffer, mut key) = (Vec::new(), 0);
             group.bench_function(format!("{name}-{count}"), |b| {
                 b.iter(|| {
                     key += 1;
-                    let points = samples.points(&dealt, 0, key as usize % 16, key, &mut buffer);
+                    let points =
+                        samples.points(&assignment, 0, key as usize % 16, key, &mut buffer);
                     points.iter().map(|point| point[0] + point[1]).sum::<f32>()
                 });
             });
@@ -60,7 +61,7 @@ fn check_numbers() {
 /// they are shuffled, of each view sample's on their own in any case.
 fn check(samples: &LightSamples, side: u32) {
     for pixel in 0..64 {
-        let points = points_of(samples, &dealt_to(samples, pixel), pixel);
+        let points = points_of(samples, &assignment_of(samples, pixel), pixel);
         let mut cells = vec![0; (side * side) as usize];
         for [x, y] in &points {
             let cell = |x: f32| (x * side as f32) as u32;
@@ -72,17 +73,17 @@ fn check(samples: &LightSamples, side: u32) {
 }
 
 /// What one pixel's view samples get of light 0.
-fn dealt_to(samples: &LightSamples, pixel: u64) -> Dealt {
-    let mut dealt = Dealt::default();
-    samples.deal(pixel, 0, &mut dealt);
-    dealt
+fn assignment_of(samples: &LightSamples, pixel: u64) -> SampleAssignment {
+    let mut assignment = SampleAssignment::default();
+    samples.assign(pixel, 0, &mut assignment);
+    assignment
 }
 
-fn points_of(samples: &LightSamples, dealt: &Dealt, pixel: u64) -> Vec<[f32; 2]> {
+fn points_of(samples: &LightSamples, assignment: &SampleAssignment, pixel: u64) -> Vec<[f32; 2]> {
     let mut buffer = Vec::new();
     let views = 0..(SIDE * SIDE) as usize;
     let of_view = |view: usize| {
-        samples.points(dealt, 0, view, pixel << 8 | view as u64, &mut buffer).to_vec()
+        samples.points(assignment, 0, view, pixel << 8 | view as u64, &mut buffer).to_vec()
     };
     views.flat_map(of_view).collect()
 }

@@ -10,7 +10,7 @@ use srt::assets::generate::{Kind, generate};
 use srt::description::Light;
 use srt::image_io::{Picture, compare};
 use srt::math::Color;
-use srt::render::{Rendering, Settings, Sight, Silent, render};
+use srt::render::{Image, Rendering, Settings, Silent, render};
 use srt::scene::{Scene, TracedWorld, structure_named};
 
 use crate::knot;
@@ -104,9 +104,9 @@ fn same(a: Rendering, b: Rendering) -> bool {
 }
 
 fn picture(rendering: Rendering) -> Picture {
-    match rendering.sight {
-        Sight::Picture(picture) => picture,
-        Sight::Field { .. } => unreachable!("colours were asked for"),
+    match rendering.image {
+        Image::Color(picture) => picture,
+        Image::Scalar { .. } => unreachable!("colours were asked for"),
     }
 }
 

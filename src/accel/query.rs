@@ -258,3 +258,22 @@ pub enum Answers<'a> {
     /// [`AnyHit`].
     AnyHit(&'a mut [bool]),
 }
+
+impl Answers<'_> {
+    /// The same memory, lent for a shorter time.
+    pub fn reborrow(&mut self) -> Answers<'_> {
+        match self {
+            Self::ClosestHit(hits) => Answers::ClosestHit(hits),
+            Self::AnyHit(blocked) => Answers::AnyHit(blocked),
+        }
+    }
+
+    /// How many rays hit something.
+    #[must_use]
+    pub fn hit_count(&self) -> usize {
+        match self {
+            Self::ClosestHit(hits) => hits.iter().filter(|hit| hit.is_hit()).count(),
+            Self::AnyHit(blocked) => blocked.iter().filter(|&&blocked| blocked).count(),
+        }
+    }
+}

@@ -78,7 +78,7 @@ fn conclude(
         return Ok(Exit::Interrupted);
     }
     let mut report = Report::new(&options, settings, build, &rendering);
-    let (picture, scale) = sight::picture(rendering.sight, settings.view, options.format);
+    let (picture, scale) = sight::picture(rendering.image, settings.view, options.format);
     report.scale = scale;
     let bytes = encode(&picture, options.format).map_err(Failure::new)?;
     options.output.write(|to| to.write_all(&bytes))?;

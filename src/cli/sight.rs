@@ -4,20 +4,20 @@
 use super::units;
 use crate::image_io::{Format, Picture};
 use crate::math::Color;
-use crate::render::{Scale, Sight, Spacing, View, heat_picture};
+use crate::render::{Image, Scale, Spacing, View, heat_picture};
 
 /// The scale of a picture in which nothing is seen.
 const NOTHING: Scale = Scale { low: 0.0, high: 0.0, spacing: Spacing::Linear };
 
 /// The picture for a format, and the scale of its colours if it shows numbers.
-pub(crate) fn picture(sight: Sight, view: View, format: Format) -> (Picture, Option<Scale>) {
-    match sight {
-        Sight::Picture(picture) => (picture, None),
-        Sight::Field { width, height, values } if format.is_linear() => (
+pub(crate) fn picture(image: Image, view: View, format: Format) -> (Picture, Option<Scale>) {
+    match image {
+        Image::Color(picture) => (picture, None),
+        Image::Scalar { width, height, values } if format.is_linear() => (
             Picture { width, height, pixels: values.into_iter().map(Color::splat).collect() },
             None,
         ),
-        Sight::Field { width, height, values } => {
+        Image::Scalar { width, height, values } => {
             let scale = Scale::of(&values).unwrap_or(NOTHING);
             // What is near takes up more of a picture than of the depths.
             let scale = if view == View::Depth { scale.logarithmic() } else { scale };
@@ -48,8 +48,8 @@ pub(crate) fn legend(view: View, scale: Scale) -> String {
 mod tests {
     use super::*;
 
-    fn depths() -> Sight {
-        Sight::Field { width: 2, height: 1, values: vec![3.5, f32::NAN] }
+    fn depths() -> Image {
+        Image::Scalar { width: 2, height: 1, values: vec![3.5, f32::NAN] }
     }
 
     #[test]
@@ -74,7 +74,7 @@ mod tests {
 
     #[test]
     fn nothing_seen_at_all_is_grey() {
-        let nothing = Sight::Field { width: 1, height: 1, values: vec![f32::NAN] };
+        let nothing = Image::Scalar { width: 1, height: 1, values: vec![f32::NAN] };
         let (picture, scale) = picture(nothing, View::Depth, Format::Tga);
         assert_eq!(picture.pixels, [Color::splat(0.5)]);
         assert_eq!(scale, Some(NOTHING));

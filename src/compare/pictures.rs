@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use crate::accel::Tracer;
 use crate::image_io::Picture;
 use crate::record::{HeatScale, PictureFile, PictureRound, RoundRule, Spacing};
-use crate::render::{self, Rendering, Scale, Settings, Sight, View, heat_picture, render};
+use crate::render::{self, Image, Rendering, Scale, Settings, View, heat_picture, render};
 use crate::scene::{Scene, TracedWorld};
 
 use super::Stage;
@@ -81,7 +81,7 @@ pub(super) fn measure(
         match stage.pools.all.install(|| guarded(work)) {
             Ok((rendering, build)) if rendering.complete => {
                 let render_ns = nanoseconds(rendering.stats.time);
-                if let Sight::Picture(picture) = rendering.sight {
+                if let Image::Color(picture) = rendering.image {
                     pictures[fit[lane]].get_or_insert(picture);
                 }
                 let round = PictureRound { build_ns: build.wall_ns, render_ns };
@@ -111,9 +111,9 @@ pub(super) fn render_once(
         stage.pools.all.install(render)
     };
     let rendering = entrant.attempt(render).filter(|rendering| rendering.complete)?;
-    match rendering.sight {
-        Sight::Picture(picture) => Some(picture),
-        Sight::Field { .. } => None,
+    match rendering.image {
+        Image::Color(picture) => Some(picture),
+        Image::Scalar { .. } => None,
     }
 }
 
@@ -155,8 +155,8 @@ pub(super) fn heatmaps(
             stage.pools.all.install(render)
         };
         let Some(rendering) = entrants[index].attempt(render) else { continue };
-        match rendering.sight {
-            Sight::Field { values, .. } if rendering.complete => fields.push((index, values)),
+        match rendering.image {
+            Image::Scalar { values, .. } if rendering.complete => fields.push((index, values)),
             _ => {}
         }
     }

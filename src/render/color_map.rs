@@ -1,18 +1,18 @@
-//! Numbers as colours: depths and counts on a perceptually even scale.
+//! Scalars as colours: depths and counts on a perceptually uniform scale.
 
 use colorous::INFERNO;
 
 use crate::image_io::Picture;
 use crate::math::Color;
 
-/// What the ends of a colour scale stand for.
+/// The numbers at the ends of a colour scale, and their spacing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    /// The darkest colour.
+    /// The number with the darkest colour.
     pub low: f32,
-    /// The brightest colour.
+    /// The number with the brightest colour.
     pub high: f32,
-    /// What lies between them.
+    /// The spacing of the numbers between them.
     pub spacing: Spacing,
 }
 

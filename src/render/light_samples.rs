@@ -1,15 +1,16 @@
-//! Where on an area light a view sample's shadow rays go.
+//! Samples of area lights: the points that shadow rays are sent to.
 //!
 //! A sample is a point of the unit square. With m × m light samples for each of a pixel's n × n
 //! view samples, a pixel takes (n·m)² samples of each light.
 //!
-//! *Shuffled*: tables of (n·m)² jittered points are made once. A pixel picks a table for each
-//! light, and a random order of its view samples; each block of n × n neighbouring cells then gives
-//! one point to each view sample. So every view sample covers the light by m × m strata, and all
-//! of a pixel's together by (n·m)². With m = 1 this is the course's way: one set, shuffled, of
-//! which the i-th view sample takes the i-th, and hands it on to the rays that follow it.
+//! *Shuffled*: tables of (n·m)² jittered points are made once. For each light, a pixel picks a
+//! table and a random permutation of its view samples. Each block of n × n neighbouring cells then
+//! gives one point to each view sample. So each view sample is stratified over m × m cells of the
+//! light, and the samples of a whole pixel over (n·m)² cells. With m = 1 this is the course's
+//! method: one set, shuffled, of which the i-th view sample takes the i-th point. Mirrored and
+//! refracted rays use the points of their view sample.
 //!
-//! *Independent*: m × m jittered points, made for each view sample and light on its own.
+//! *Independent*: m × m jittered points, made for each view sample and light separately.
 
 use crate::math::Random;
 
@@ -18,7 +19,7 @@ use super::Sampling;
 /// How many tables there are: enough that neighbouring pixels do not repeat each other's noise.
 const TABLES: u64 = 32;
 
-/// Keeps the streams of random numbers apart.
+/// Keys that separate the streams of random numbers.
 const TABLE_STREAM: u64 = 0x7461_626C;
 const ORDER_STREAM: u64 = 0x6F72_6465;
 
@@ -28,29 +29,31 @@ pub struct LightSamples {
     seed: u64,
     view_side: usize,
     light_side: usize,
-    /// The tables one behind the other, each block-wise apart: the m × m points of view sample 0,
-    /// then of view sample 1, …
+    /// All tables, one after the other. In each, the m × m points of one view sample are
+    /// contiguous.
     tables: Vec<[f32; 2]>,
 }
 
-/// The samples of one light that are dealt to the view samples of a batch.
+/// Which samples of one light each view sample of a batch takes.
 #[derive(Default)]
-pub struct Dealt {
-    /// For each view sample, where in the tables its points begin; empty if they are made on the
-    /// fly.
+pub struct SampleAssignment {
+    /// For each view sample the index of its first point in the tables; empty if points are made
+    /// on the fly.
     firsts: Vec<u32>,
 }
 
-impl Dealt {
-    /// Forgets what was dealt.
+impl SampleAssignment {
+    /// Removes all view samples.
     pub fn clear(&mut self) {
         self.firsts.clear();
     }
 }
 
 impl LightSamples {
-    /// Makes what a method makes once: for aa × aa view samples a pixel, each of which takes
-    /// light_samples × light_samples points of each area light. 0 is taken as 1.
+    /// Makes the tables, if the method has any.
+    ///
+    /// A pixel has `aa × aa` view samples. Each takes `light_samples × light_samples` points of
+    /// each area light. 0 is taken as 1.
     #[must_use]
     pub fn new(sampling: Sampling, seed: u64, aa: u32, light_samples: u32) -> Self {
         let (view_side, light_side) = (aa.max(1) as usize, light_samples.max(1) as usize);
@@ -59,7 +62,7 @@ impl LightSamples {
                 .flat_map(|i| {
                     let mut random = Random::new(&[seed, TABLE_STREAM, i]);
                     let table = jittered(view_side * light_side, &mut random);
-                    dealt(&table, view_side, light_side)
+                    by_view_sample(&table, view_side, light_side)
                 })
                 .collect(),
             Sampling::Independent => Vec::new(),
@@ -67,36 +70,38 @@ impl LightSamples {
         Self { sampling, seed, view_side, light_side, tables }
     }
 
-    /// Samples a view sample takes of each area light.
+    /// The number of samples that a view sample takes of each area light.
     #[must_use]
     pub fn per_view_sample(&self) -> usize {
         self.light_side * self.light_side
     }
 
-    /// Deals samples of a light to the view samples of a pixel, behind those of the pixels before:
-    /// a table, in a random order (Fisher-Yates).
-    pub fn deal(&self, pixel: u64, light: usize, dealt: &mut Dealt) {
+    /// Assigns samples of a light to the view samples of a pixel: a table, in a random order
+    /// (Fisher-Yates). They are appended to those of earlier pixels.
+    pub fn assign(&self, pixel: u64, light: usize, assignment: &mut SampleAssignment) {
         if self.sampling == Sampling::Independent {
             return;
         }
         let mut random = Random::new(&[self.seed, ORDER_STREAM, pixel, light as u64]);
         let views = self.view_side * self.view_side;
         let table = random.below(TABLES as u32) * (views * self.per_view_sample()) as u32;
-        let before = dealt.firsts.len();
+        let before = assignment.firsts.len();
         let places = 0..views as u32;
-        dealt.firsts.extend(places.map(|place| table + place * self.per_view_sample() as u32));
-        let order = &mut dealt.firsts[before..];
+        assignment.firsts.extend(places.map(|place| table + place * self.per_view_sample() as u32));
+        let order = &mut assignment.firsts[before..];
         for last in (1..order.len()).rev() {
             order.swap(last, random.below(last as u32 + 1) as usize);
         }
     }
 
-    /// The samples of one light for one path: `key` belongs to the path, `sample` is its view
-    /// sample in the batch. `buffer` holds them if they are made on the fly.
+    /// The samples of one light for one path, as points of the unit square.
+    ///
+    /// `sample` is the index of the path's view sample in the batch, `key` the path's random key.
+    /// Samples that are made on the fly are put into `buffer`.
     #[inline]
     pub fn points<'a>(
         &'a self,
-        dealt: &Dealt,
+        assignment: &SampleAssignment,
         light: usize,
         sample: usize,
         key: u64,
@@ -104,7 +109,7 @@ impl LightSamples {
     ) -> &'a [[f32; 2]] {
         match self.sampling {
             Sampling::Shuffled => {
-                let first = dealt.firsts[sample] as usize;
+                let first = assignment.firsts[sample] as usize;
                 &self.tables[first..first + self.per_view_sample()]
             }
             Sampling::Independent => {
@@ -116,9 +121,9 @@ impl LightSamples {
     }
 }
 
-/// A table of (n·m)² points in the order in which it is dealt out: of each block of n × n cells
-/// one point to each view sample.
-fn dealt(table: &[[f32; 2]], n: usize, m: usize) -> Vec<[f32; 2]> {
+/// Reorders a table of (n·m)² points, row by row, so that the points of each view sample are
+/// contiguous: one of each block of n × n cells.
+fn by_view_sample(table: &[[f32; 2]], n: usize, m: usize) -> Vec<[f32; 2]> {
     let mut points = Vec::with_capacity(table.len());
     for place in 0..n * n {
         let (x, y) = (place % n, place / n);
@@ -152,12 +157,12 @@ mod tests {
 
     /// All samples that a pixel takes of light 0.
     fn samples_of_pixel(samples: &LightSamples, pixel: u64, views: u32) -> Vec<Vec<[f32; 2]>> {
-        let mut dealt = Dealt::default();
-        samples.deal(pixel, 0, &mut dealt);
+        let mut assignment = SampleAssignment::default();
+        samples.assign(pixel, 0, &mut assignment);
         (0..views as usize)
             .map(|view| {
                 let key = view as u64 + 100 * pixel;
-                samples.points(&dealt, 0, view, key, &mut Vec::new()).to_vec()
+                samples.points(&assignment, 0, view, key, &mut Vec::new()).to_vec()
             })
             .collect()
     }

@@ -1,32 +1,61 @@
-//! From a scene and a structure to a picture.
+//! From a scene and a structure to an image.
 //!
-//! Rays travel in waves: a batch of view rays finds its hits, what was hit is shaded together, all
-//! shadow rays of a batch are asked together, and mirrored and refracted rays make the next wave.
-//! Nothing is recursive, and the order of rays in a wave never changes a result: a sample's colour
-//! is the sum of its own contributions in an order of their own.
+//! Rays travel in waves. A batch of view rays is traced, what it hits is shaded together, its shadow
+//! rays are traced together, and mirrored and refracted rays make the next wave. Nothing is
+//! recursive. The order of rays in a wave never changes a result: the colour of a sample is the sum
+//! of its own contributions, in an order of their own.
 //!
-//! Knows no file format and no terminal; what it reports on the way goes to an [`Observer`].
+//! | file | what it does |
+//! |---|---|
+//! | `rendering.rs`, `image.rs`, `tiles.rs` | tiles to threads, and back to an image |
+//! | `tile_renderer.rs` | a thread's part: pixels to batches |
+//! | `hit_views.rs` | what a pixel hit, instead of its colour |
+//! | `batch.rs` | a batch of view samples, wave by wave |
+//! | `view_rays.rs`, `secondary_rays.rs`, `path.rs`, `wave.rs`, `optics.rs` | rays and their paths |
+//! | `shading.rs`, `shading_material.rs`, `exponent.rs` | hits to colours |
+//! | `direct_light/`, `light_samples.rs` | lights and shadow rays |
+//! | `measured_tracer.rs`, `stats.rs`, `times.rs`, `stopwatch.rs` | tracing, counted and timed |
+//! | `settings.rs`, `crop.rs`, `sampling.rs`, `view.rs` | what is to be rendered |
+//! | `color_map.rs` | scalars to colours |
+//!
+//! Knows no file format and no terminal. Progress goes to an [`Observer`].
 
 mod batch;
 mod color_map;
-mod finish;
-mod incidence;
+mod crop;
+mod direct_light;
+mod exponent;
+mod frame;
+mod hit_views;
+mod image;
 mod light_samples;
+mod measured_tracer;
 mod observer;
 mod optics;
-mod receivers;
+mod path;
+mod rendering;
+mod sampling;
+mod secondary_rays;
 mod settings;
-mod shadows;
+mod shading;
+mod shading_material;
 mod stats;
+mod stopwatch;
+mod tile_renderer;
 mod tiles;
 mod times;
+mod view;
 mod view_rays;
-mod views;
+mod wave;
 
 pub use color_map::{Scale, Spacing, heat_picture};
-pub use light_samples::{Dealt, LightSamples};
+pub use crop::Crop;
+pub use image::Image;
+pub use light_samples::{LightSamples, SampleAssignment};
 pub use observer::{Observer, Silent};
-pub use settings::{Crop, Sampling, Settings, View};
+pub use rendering::{Rendering, render};
+pub use sampling::Sampling;
+pub use settings::Settings;
 pub use stats::{ClassStats, RayClass, RenderStats};
-pub use tiles::{Rendering, Sight, render};
 pub use times::{Stage, StageTimes};
+pub use view::View;

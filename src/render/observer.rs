@@ -1,20 +1,21 @@
-//! Who watches a rendering, and may stop it.
+//! The observer of a rendering, which may cancel it.
 
 use crate::math::Ray;
 
 use super::RayClass;
 
-/// Told of progress from all threads, between tiles.
+/// Receives the progress of a rendering. All methods are called from all threads.
 pub trait Observer: Sync {
-    /// A tile is done.
+    /// A tile of `pixels` pixels was rendered with `rays` rays.
     fn tile_done(&self, pixels: u64, rays: u64);
-    /// Whether to stop. Asked before each tile; tiles that were begun are finished.
+    /// Whether to stop. Checked before each tile; tiles that were begun are finished.
     fn cancelled(&self) -> bool;
-    /// These rays are sent now: what a replay needs. Most observers need not know.
+    /// These rays are about to be traced together, as a replay would trace them again. Does nothing
+    /// unless it is overridden.
     fn rays_sent(&self, _class: RayClass, _rays: &[Ray]) {}
 }
 
-/// Watches nothing and never stops.
+/// An observer that ignores progress and never cancels.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Silent;
 

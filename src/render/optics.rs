@@ -1,8 +1,6 @@
-//! Mirrors and refraction: directions and shares.
+//! Mirror reflection and refraction: directions, and the share of light that is reflected.
 
 use glam::Vec3;
-
-use crate::math::Lanes;
 
 /// The mirror direction of a direction `dir` at a surface with unit normal `normal`.
 #[inline]
@@ -10,7 +8,7 @@ pub(super) fn mirror(dir: Vec3, normal: Vec3) -> Vec3 {
     dir - 2.0 * dir.dot(normal) * normal
 }
 
-/// What becomes of light at the border of two transparent media.
+/// Light at the border of two transparent media.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Refraction {
     /// The share that is reflected, from 0 to 1: the rest goes through.
@@ -39,53 +37,6 @@ pub(super) fn refract(dir: Vec3, normal: Vec3, eta: f32) -> Refraction {
     let reflected = 0.5 * (perpendicular * perpendicular + parallel * parallel);
     let dir = eta * dir + (eta * cos_in - cos_out) * normal;
     Refraction { reflected: reflected.clamp(0.0, 1.0), dir: Some(dir) }
-}
-
-/// The exponent of a highlight.
-///
-/// Whole ones, which nearly all scenes use, are multiplied out; others go through `libm`. The
-/// result is the same on every machine, which the C library's power is not.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Exponent {
-    /// A whole number.
-    Whole(u32),
-    /// Any other, and large ones.
-    Other(f32),
-}
-
-impl Exponent {
-    /// The exponent `exponent` ≥ 0.
-    pub(super) fn new(exponent: f32) -> Self {
-        const LARGEST_WHOLE: f32 = 4096.0;
-        if exponent.fract() != 0.0 || exponent > LARGEST_WHOLE {
-            Self::Other(exponent)
-        } else {
-            Self::Whole(exponent as u32)
-        }
-    }
-
-    /// A base between 0 and 1 to this power.
-    #[inline]
-    pub(super) fn power(self, base: f32) -> f32 {
-        match self {
-            Self::Whole(exponent) => whole_power(base, exponent, 1.0),
-            Self::Other(exponent) => libm::powf(base, exponent),
-        }
-    }
-}
-
-/// Bases to a whole power, by squares; `one` has a 1 in every lane.
-#[inline(always)]
-pub(super) fn whole_power<L: Lanes>(base: L, exponent: u32, one: L) -> L {
-    let (mut square, mut product, mut rest) = (base, one, exponent);
-    while rest > 0 {
-        if rest & 1 == 1 {
-            product = product * square;
-        }
-        square = square * square;
-        rest >>= 1;
-    }
-    product
 }
 
 #[cfg(test)]
@@ -140,16 +91,5 @@ mod tests {
     fn without_a_change_of_index_light_goes_straight_on() {
         let dir = at_angle(70.0);
         assert_eq!(refract(dir, Vec3::Z, 1.0), Refraction { reflected: 0.0, dir: Some(dir) });
-    }
-
-    #[test]
-    fn powers_are_powers() {
-        for (base, exponent) in
-            [(0.5f64, 3.0f32), (0.9, 100.0), (0.99, 2.5), (0.0, 0.0), (0.0, 5.0), (1.0, 9.0)]
-        {
-            let expected = base.powf(f64::from(exponent));
-            let power = Exponent::new(exponent).power(base as f32);
-            assert!((f64::from(power) - expected).abs() < 1e-6);
-        }
     }
 }

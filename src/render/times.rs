@@ -1,19 +1,20 @@
-//! Where the time of a rendering goes.
+//! The time of a rendering by stage.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::RayClass;
 
 /// What a thread is doing for a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// Asking the structure what the rays of a class hit.
+    /// Tracing the rays of a class.
     Tracing(RayClass),
-    /// Making view, shadow, mirrored and refracted rays, with what light would add along them.
+    /// Making view, shadow, mirrored and refracted rays. Includes the contributions of lights, which
+    /// are computed together with their shadow rays.
     MakingRays,
-    /// Computing surfaces, and adding up the light that arrives.
+    /// Computing surfaces from hits, and adding up the light that is not blocked.
     Shading,
-    /// All else: means of samples, taking tiles.
+    /// All else: means of samples, scheduling of tiles.
     Rest,
 }
 
@@ -53,7 +54,7 @@ impl Stage {
     }
 }
 
-/// Time by stage, added up over all threads.
+/// Time by stage, the sum over all threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StageTimes([Duration; 7]);
 
@@ -82,25 +83,25 @@ impl StageTimes {
         self.total() - self.tracing()
     }
 
-    /// The share of a stage in the time of all; `None` if there is none.
+    /// The share of a stage in the total time, from 0 to 1; `None` if the total is zero.
     #[must_use]
     pub fn share(&self, stage: Stage) -> Option<f64> {
         quotient(self.of(stage), self.total())
     }
 
-    /// The share of tracing in the time of all; `None` if there is none.
+    /// The share of tracing in the total time, from 0 to 1; `None` if the total is zero.
     #[must_use]
     pub fn tracing_share(&self) -> Option<f64> {
         quotient(self.tracing(), self.total())
     }
 
-    /// The share of all that is not tracing; `None` if there is no time at all.
+    /// The share of all that is not tracing, from 0 to 1; `None` if the total is zero.
     #[must_use]
     pub fn outside_tracing_share(&self) -> Option<f64> {
         quotient(self.outside_tracing(), self.total())
     }
 
-    /// Adds to a stage.
+    /// Adds time to a stage.
     pub fn add(&mut self, stage: Stage, time: Duration) {
         self.0[stage.index()] += time;
     }
@@ -115,22 +116,6 @@ impl StageTimes {
 
 fn quotient(part: Duration, whole: Duration) -> Option<f64> {
     (!whole.is_zero()).then(|| part.as_secs_f64() / whole.as_secs_f64())
-}
-
-/// Tells what each stage of a thread took: read once where a stage ends and the next begins, so
-/// that nothing is left out and nothing counted twice.
-pub(super) struct Stopwatch(Instant);
-
-impl Stopwatch {
-    pub(super) fn start() -> Self {
-        Self(Instant::now())
-    }
-
-    /// The time since the last lap, or the start.
-    pub(super) fn lap(&mut self) -> Duration {
-        let now = Instant::now();
-        now.duration_since(std::mem::replace(&mut self.0, now))
-    }
 }
 
 #[cfg(test)]

@@ -14,8 +14,8 @@ const VIEW: View = View {
     height: 120,
 };
 
-/// Compares the depths of a picture with a closed form; `None` is a miss, and what the closed form
-/// calls NaN, close to a silhouette, is not asked.
+/// Compares the depths of a picture with a closed form. `None` is a miss. Where the closed form
+/// gives NaN, close to a silhouette, nothing is compared.
 fn check(objects: &str, distance: impl Fn(DVec3) -> Option<f64>) {
     let text = format!("{}{objects}", VIEW.commands());
     let depths = depths(&scene(&text));

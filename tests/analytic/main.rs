@@ -1,7 +1,7 @@
 //! Pictures whose pixels are known in closed form.
 //!
-//! One file a formula. What lies within a hair's breadth of an edge is not asked: there the last
-//! bit decides.
+//! One file per formula. Pixels very close to an edge are left out, because there the last bit
+//! decides.
 
 #[path = "../common/mod.rs"]
 mod common;

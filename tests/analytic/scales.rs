@@ -84,8 +84,8 @@ const CONVEX: [&str; 7] = [
 ];
 
 /// How many of them, from the first, have no edges that the rays of a picture pass between. A few
-/// rays in a million get between two triangles (`watertight.rs` says how many, and why); from the
-/// light's own place such a ray sees what the light does not, and that pixel is dark.
+/// rays in a million get between two triangles (`watertight.rs` has the numbers, and the reason).
+/// From the light's own place such a ray sees what the light does not, and that pixel is dark.
 const WITHOUT_CRACKS: usize = 5;
 
 /// Things with an inside.

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use srt::accel::BuildConfig;
 use srt::assets::load_meshes;
 use srt::image_io::Picture;
-use srt::render::{Settings, Sight, Silent, View, render};
+use srt::render::{Image, Settings, Silent, View, render};
 use srt::scene::{Scene, structure_named};
 use srt::scene_file::{ParseOptions, parse, render_diagnostics};
 
@@ -57,17 +57,17 @@ pub(crate) fn compiled(text: &str, name: &str, folder: &Path) -> Scene {
 }
 
 /// What a structure renders.
-pub(crate) fn rendered(scene: &Scene, structure: &str, settings: &Settings) -> Sight {
+pub(crate) fn rendered(scene: &Scene, structure: &str, settings: &Settings) -> Image {
     let structure = structure_named(structure).expect("the structure exists");
     let world = structure.build(scene, &BuildConfig::default());
-    render(scene, world.as_ref(), settings, &Silent).sight
+    render(scene, world.as_ref(), settings, &Silent).image
 }
 
 /// The picture of a scene, rendered with `bvh`.
 pub(crate) fn picture(scene: &Scene, settings: &Settings) -> Picture {
     match rendered(scene, "bvh", settings) {
-        Sight::Picture(picture) => picture,
-        Sight::Field { .. } => panic!("not a picture: {:?}", settings.view),
+        Image::Color(picture) => picture,
+        Image::Scalar { .. } => panic!("not a picture: {:?}", settings.view),
     }
 }
 
@@ -80,8 +80,8 @@ pub(crate) fn picture_of(scene: &Scene, view: View) -> Picture {
 pub(crate) fn depths(scene: &Scene) -> Vec<f32> {
     let settings = Settings { view: View::Depth, ..Settings::of_scene(scene) };
     match rendered(scene, "bvh", &settings) {
-        Sight::Field { values, .. } => values,
-        Sight::Picture(_) => panic!("depths are no picture"),
+        Image::Scalar { values, .. } => values,
+        Image::Color(_) => panic!("depths are no picture"),
     }
 }
 

@@ -8,7 +8,7 @@ use srt::image_io::Picture;
 use srt::math::Color;
 use srt::record::derived::{Derived, Pairing};
 use srt::record::{RoundRule, SamplingChapter};
-use srt::render::{self, Sampling, Settings, Sight, render};
+use srt::render::{self, Image, Sampling, Settings, render};
 use srt::scene::Scene;
 use srt::scene_file::{ParseOptions, parse};
 
@@ -115,8 +115,8 @@ fn mean_of(sampling: Sampling) -> (Color, f32) {
     let means: Vec<Color> = (0..u64::from(SEEDS))
         .map(|seed| {
             let settings = Settings { aa: 2, sampling, seed, ..Settings::of_scene(&scene) };
-            let sight = render(&scene, &*world, &settings, &render::Silent).sight;
-            let Sight::Picture(Picture { pixels, .. }) = sight else { panic!("not a picture") };
+            let image = render(&scene, &*world, &settings, &render::Silent).image;
+            let Image::Color(Picture { pixels, .. }) = image else { panic!("not a picture") };
             pixels.iter().sum::<Color>() / pixels.len() as f32
         })
         .collect();

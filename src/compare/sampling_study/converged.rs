@@ -10,7 +10,7 @@ use crate::accel::Tracer;
 use crate::image_io::Picture;
 use crate::math::hash_u64;
 use crate::record::ConvergedPicture;
-use crate::render::{Sampling, Settings, Sight};
+use crate::render::{Image, Sampling, Settings};
 
 use crate::compare::Stage;
 use crate::compare::budget::Budget;
@@ -66,8 +66,8 @@ pub(super) fn render(
         };
         let work = || render_with(stage.scene, tracer, &settings, stage.cancelled);
         let rendering = stage.pools.all.install(work);
-        match rendering.sight {
-            Sight::Picture(picture) if rendering.complete => sums.add(&picture),
+        match rendering.image {
+            Image::Color(picture) if rendering.complete => sums.add(&picture),
             _ => break,
         }
     }

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::accel::Tracer;
 use crate::record::{FramePart, NoisePoint};
-use crate::render::{RayClass, Rendering, Sampling, Settings, Sight};
+use crate::render::{Image, RayClass, Rendering, Sampling, Settings};
 use crate::scene::{Light, Scene};
 
 use crate::compare::Stage;
@@ -85,7 +85,7 @@ pub(super) fn measure(
         let (rendering, round) = timed(|| render(stage, tracer, settings));
         let rendering = rendering?;
         lanes[lane].surfaces = surfaces(&rendering);
-        let Sight::Picture(picture) = &rendering.sight else { return None };
+        let Image::Color(picture) = &rendering.image else { return None };
         // A frame of milliseconds that another program interrupts would seem many times as long.
         let time = round.cpu_ns.unwrap_or(round.wall_ns);
         Some(((time, rmse(picture, converged)), time))

@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use crate::math::{Random, unit_pair};
 use crate::record::OperationCost;
-use crate::render::{Dealt, LightSamples, Sampling};
+use crate::render::{LightSamples, SampleAssignment, Sampling};
 
 use crate::compare::clock::timed;
 use crate::compare::rounds::{Repeat, interleaved};
@@ -86,19 +86,19 @@ struct Bench {
     light_side: u32,
     shuffled: LightSamples,
     independent: LightSamples,
-    /// The samples of some pixels, dealt in advance.
-    dealt: Dealt,
+    /// The samples of some pixels, assigned in advance.
+    assignment: SampleAssignment,
 }
 
 impl Bench {
     fn new(light_side: u32) -> Self {
         let samples = |sampling| LightSamples::new(sampling, SEED, SIDE, light_side);
         let (shuffled, independent) = (samples(Sampling::Shuffled), samples(Sampling::Independent));
-        let mut dealt = Dealt::default();
+        let mut assignment = SampleAssignment::default();
         for pixel in 0..PIXELS as u64 {
-            shuffled.deal(pixel, 0, &mut dealt);
+            shuffled.assign(pixel, 0, &mut assignment);
         }
-        Self { light_side, dealt, shuffled, independent }
+        Self { light_side, assignment, shuffled, independent }
     }
 
     /// A batch. Keys run on as those of a renderer's pixels and paths do.
@@ -121,11 +121,11 @@ impl Bench {
                 black_box(unit_pair(keys.next_u64()));
             }),
             Operation::Shuffle => {
-                let mut dealt = Dealt::default();
+                let mut assignment = SampleAssignment::default();
                 numbers.for_each(|number| {
-                    dealt.clear();
-                    self.shuffled.deal(black_box(number), 0, &mut dealt);
-                    black_box(&dealt);
+                    assignment.clear();
+                    self.shuffled.assign(black_box(number), 0, &mut assignment);
+                    black_box(&assignment);
                 });
             }
             Operation::Tables => numbers.for_each(|number| {
@@ -136,14 +136,14 @@ impl Bench {
             Operation::Take => numbers.for_each(|number| {
                 let sample = number as usize % ((SIDE * SIDE) as usize * PIXELS);
                 let key = black_box(number);
-                let points = self.shuffled.points(&self.dealt, 0, sample, key, &mut buffer);
+                let points = self.shuffled.points(&self.assignment, 0, sample, key, &mut buffer);
                 points.iter().for_each(|point| {
                     black_box(*point);
                 });
             }),
             Operation::Make => numbers.for_each(|number| {
                 let key = black_box(number);
-                let points = self.independent.points(&self.dealt, 0, 0, key, &mut buffer);
+                let points = self.independent.points(&self.assignment, 0, 0, key, &mut buffer);
                 points.iter().for_each(|point| {
                     black_box(*point);
                 });

@@ -1,40 +1,42 @@
 //! What each pixel hit, instead of its colour: one ray through its centre.
 
+use crate::accel::Answers;
 use crate::math::{Color, Hit, Random, Ray};
 
-use super::batch::{Batch, Context};
+use super::frame::Frame;
+use super::measured_tracer::MeasuredTracer;
 use super::view_rays::Pixel;
 use super::{RayClass, Stage, View};
 
 /// Renders the normals, depths, objects or primitives of some pixels, in their order.
-pub(super) fn render_view(
-    context: &Context<'_>,
-    batch: &mut Batch,
+pub(super) fn render_hits(
+    frame: &Frame<'_>,
+    tracer: &mut MeasuredTracer<'_>,
     pixels: &[Pixel],
     view: View,
 ) -> Vec<Color> {
-    let rays: Vec<Ray> =
-        pixels.iter().map(|&pixel| context.view_rays.through_center(pixel)).collect();
+    let rays: Vec<Ray> = pixels.iter().map(|&p| frame.view_rays.through_center(p)).collect();
     let mut hits = vec![Hit::MISS; rays.len()];
-    batch.lap(Stage::MakingRays);
-    batch.intersect(context, RayClass::View, &rays, &mut hits);
-    let seen = rays.iter().zip(&hits).map(|(ray, hit)| seen(context, view, ray, hit)).collect();
-    batch.lap(Stage::Shading);
+    tracer.lap(Stage::MakingRays);
+    tracer.trace(RayClass::View, &rays, Answers::ClosestHit(&mut hits));
+    let seen = rays.iter().zip(&hits).map(|(ray, hit)| value_of(frame, view, ray, hit)).collect();
+    tracer.lap(Stage::Shading);
     seen
 }
 
-fn seen(context: &Context<'_>, view: View, ray: &Ray, hit: &Hit) -> Color {
+/// What a pixel shows: a colour, or a depth in every component.
+fn value_of(frame: &Frame<'_>, view: View, ray: &Ray, hit: &Hit) -> Color {
     match view {
         View::Depth if hit.is_hit() => Color::splat(hit.t * ray.dir.length()),
         View::Depth => Color::NAN,
         _ if !hit.is_hit() => Color::ZERO,
-        View::Normal => 0.5 * (context.scene.surface(ray, hit).normal + Color::ONE),
+        View::Normal => 0.5 * (frame.scene.surface(ray, hit).normal + Color::ONE),
         View::Object => id_color(&[u64::from(hit.object)]),
         _ => id_color(&[u64::from(hit.object), u64::from(hit.prim)]),
     }
 }
 
-/// A colour for an id: random, neither dark nor pale.
+/// A random colour for an id, neither dark nor pale.
 fn id_color(id: &[u64]) -> Color {
     let mut random = Random::new(id);
     let color = Color::from_array(std::array::from_fn(|_| random.next_f32()));
