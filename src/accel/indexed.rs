@@ -77,7 +77,8 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     }
 
     /// How long the check of the order took, for those who time around the build.
-    pub(crate) fn check_time(&self) -> Duration {
+    #[must_use]
+    pub fn check_time(&self) -> Duration {
         self.check_time
     }
 
