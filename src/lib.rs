@@ -97,6 +97,7 @@ pub use glam;
 /// The Rust in the pages of this project, compiled as documentation tests so that it stays true.
 #[cfg(doctest)]
 mod pages {
+    #[cfg(feature = "program")]
     #[doc = include_str!("../CONTRIBUTING.md")]
     struct Contributing;
 

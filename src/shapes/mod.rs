@@ -8,9 +8,13 @@ mod clip;
 mod cylinder;
 mod end_point_overlap;
 mod mesh_error;
+#[cfg(feature = "program")]
 mod place;
+#[cfg(feature = "program")]
 mod ray_group;
+#[cfg(feature = "program")]
 mod single;
+#[cfg(feature = "program")]
 mod single_many;
 mod surface_point;
 mod triangle;
@@ -20,7 +24,9 @@ pub use ball::Ball;
 pub use cylinder::Cylinder;
 pub use end_point_overlap::{EndPointOverlap, OVERLAP_SAMPLES, end_point_overlap};
 pub use mesh_error::MeshError;
+#[cfg(feature = "program")]
 pub use place::{Place, SoFar};
+#[cfg(feature = "program")]
 pub use single::Single;
 pub use surface_point::SurfacePoint;
 pub use triangle::Triangle;

@@ -83,7 +83,7 @@ pub fn sub<L: Lanes>(a: Lanes3<L>, b: Lanes3<L>) -> Lanes3<L> {
 
 /// The positions of the ones of a mask of lanes, the lowest first.
 #[inline(always)]
-pub fn ones(mut mask: u32) -> impl Iterator<Item = usize> {
+pub(crate) fn ones(mut mask: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lowest = (mask != 0).then(|| mask.trailing_zeros() as usize);
         mask &= mask.wrapping_sub(1);

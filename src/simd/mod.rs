@@ -16,8 +16,9 @@ mod row;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use huge_pages::ask_for_huge_pages;
+pub(crate) use huge_pages::ask_for_huge_pages;
 pub use isa::{Isa, IsaError, Kernel, dispatch};
-pub use lanes::{Lanes, Lanes3, cross, dot, ones, sub};
-pub use prefetch::prefetch;
+pub(crate) use lanes::ones;
+pub use lanes::{Lanes, Lanes3, cross, dot, sub};
+pub(crate) use prefetch::prefetch;
 pub use row::{LANES, Mask, Row, Simd, splat3};

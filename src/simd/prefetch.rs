@@ -6,7 +6,7 @@ const LINE: usize = 64;
 
 /// Asks the caches for all lines of a value. Does nothing where the processor cannot be asked.
 #[inline(always)]
-pub fn prefetch<T>(value: &T) {
+pub(crate) fn prefetch<T>(value: &T) {
     #[cfg(target_arch = "x86_64")]
     {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
