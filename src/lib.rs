@@ -23,6 +23,7 @@
 //! assert!(!hits[1].is_hit());
 //! ```
 //!
+//! The [`guide`] shows single rays, any-hit queries, primitives of your own, threads and memory.
 //! Any other [`Accel`](accel::Accel) can take the place of `Bvh8`, one of your own included;
 //! [`conformance::check`] finds out whether that keeps the contract.
 //!
@@ -90,6 +91,10 @@ pub mod report;
 pub mod scene;
 #[cfg(feature = "program")]
 pub mod scene_file;
+
+#[cfg(any(doc, doctest))]
+#[doc = include_str!("../docs/library.md")]
+pub mod guide {}
 
 /// The vectors of all interfaces here, in the version that they are made with.
 pub use glam;
