@@ -11,6 +11,8 @@
 //! | `bvh.rs` | obvhs's binary tree |
 //! | `cwbvh.rs` | obvhs's compressed eight-wide tree |
 //! | `bvh8/` | a binary tree collapsed to eight children, many rays at once |
+//!
+//! `save/` writes built structures to bytes and reads them back.
 
 mod ball;
 mod bvh;
@@ -21,6 +23,7 @@ mod indexed;
 mod none;
 mod order;
 mod packs;
+mod save;
 mod shape;
 mod stages;
 mod tree;
@@ -41,6 +44,7 @@ pub use cwbvh::CompressedWideBvh;
 pub use indexed::Indexed;
 pub use none::Exhaustive;
 pub use packs::{NoPacks, PACK, Packs, ScaledHit};
+pub use save::{Decoder, Encoder, LoadError, Portable, PortablePrimitives};
 pub use shape::{LeafHistogram, StructureShape};
 pub use stages::BuildStages;
 pub use tree::{Tree, TreeNode};

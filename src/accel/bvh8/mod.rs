@@ -15,6 +15,7 @@ mod node;
 mod packet;
 mod parked;
 mod plan;
+mod save;
 mod slab_ray;
 mod stream;
 mod wave;
