@@ -1,12 +1,10 @@
-//! srt: a ray tracer whose acceleration structure is a plug-in.
+//! Ray tracing acceleration structures that return the same hits, bit for bit, and a ray tracer
+//! that compares them.
 //!
-//! The same scene renders to the same picture, bit for bit, whatever the structure, the number of
-//! threads or the instruction set; what differs is the speed, and that is what srt measures.
-//!
-//! # Rays into a mesh of one's own
-//!
-//! No scene is needed: [`Indexed`](accel::Indexed) puts triangles and a structure together, and
-//! [`answer`](accel::Indexed::answer) takes slices of rays.
+//! A structure finds what a ray hits among triangles, or among primitives of one's own. There are
+//! five, behind one interface, from a bounding ball to a tree of eight children whose kernels trace
+//! packets of rays with AVX-512, AVX2 or portable code. Whatever the structure, the number of
+//! threads or the instruction set, a ray has the same hit, to the last bit.
 //!
 //! ```
 //! use srt::accel::{BuildConfig, Bvh8, ClosestHit, Indexed};
@@ -25,35 +23,78 @@
 //! assert!(!hits[1].is_hit());
 //! ```
 //!
-//! Any [`Accel`](accel::Accel) stands in for `Bvh8`, and gives the same hits. How to bring one of
-//! one's own is told at [`compare`]; [`conformance::check`] tells whether it keeps the contract, and
-//! [`cli::run_with`] gives it the whole command line. From scenes to pictures it is
-//! [`scene_file::parse`], [`assets::load_meshes`], [`scene::Scene::new`],
-//! [`scene::Structure::build`] and [`render::render`].
+//! The [`guide`] shows single rays, any-hit queries, primitives of your own, threads and memory.
+//! Any other [`Accel`](accel::Accel) can take the place of `Bvh8`, one of your own included;
+//! [`conformance::check`] finds out whether that keeps the contract.
 //!
-//! # Layers
+//! # Modules
 //!
-//! The layers, from the file to the picture, and which of them may use which, are described in
-//! `ARCHITECTURE.md`; a test holds every `use crate::…` line to that table.
+//! | module | contents |
+//! |---|---|
+//! | [`accel`] | the structures and their interfaces |
+//! | [`shapes`] | triangles and other primitives, with their formulas |
+//! | [`math`] | rays, hits, boxes, transforms |
+//! | [`counters`] | counts of the boxes and primitives that rays are tested against |
+//! | [`conformance`] | meshes and rays that find out whether a structure returns equal hits |
+//! | [`simd`] | lanes of floats and instruction sets, for kernels and formulas over many rays at once |
+//!
+//! # Features
+//!
+//! * `program`, on by default: the command `srt` and all that it is made of, as described
+//!   [below](#the-program). With `default-features = false`, the crate is the modules above and
+//!   six direct dependencies.
+//! * `embree`: Intel's Embree 3 beside this crate's structures. It traces whole scenes, so it turns
+//!   `program` on; programs need Embree's library to link.
+//!
+//! # The program
+//!
+//! With the feature `program` the crate also reads scenes, renders them, and measures structures on
+//! their rays.
+#![cfg_attr(
+    feature = "program",
+    doc = "\
+From scenes to pictures it is [`scene_file::parse`], [`assets::load_meshes`], [`scene::Scene::new`],
+[`scene::Structure::build`] and [`render::render`]. [`compare`] measures structures, [`report`] writes
+what it found, and [`cli::run_with`] gives a structure of your own the whole command line.
+
+The layers, and which of them may use which, are described in `ARCHITECTURE.md`; a test holds every
+`crate::` path to that table."
+)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod accel;
-pub mod assets;
-pub mod cli;
-pub mod compare;
 pub mod conformance;
 pub mod counters;
+pub mod math;
+pub mod shapes;
+pub mod simd;
+
+#[cfg(feature = "program")]
+pub mod assets;
+#[cfg(feature = "program")]
+pub mod cli;
+#[cfg(feature = "program")]
+pub mod compare;
+#[cfg(feature = "program")]
 pub mod description;
 #[cfg(feature = "embree")]
 pub mod embree;
+#[cfg(feature = "program")]
 pub mod image_io;
-pub mod math;
+#[cfg(feature = "program")]
 pub mod record;
+#[cfg(feature = "program")]
 pub mod render;
+#[cfg(feature = "program")]
 pub mod report;
+#[cfg(feature = "program")]
 pub mod scene;
+#[cfg(feature = "program")]
 pub mod scene_file;
-pub mod shapes;
-pub mod simd;
+
+#[cfg(any(doc, doctest))]
+#[doc = include_str!("../docs/library.md")]
+pub mod guide {}
 
 /// The vectors of all interfaces here, in the version that they are made with.
 pub use glam;
@@ -61,6 +102,7 @@ pub use glam;
 /// The Rust in the pages of this project, compiled as documentation tests so that it stays true.
 #[cfg(doctest)]
 mod pages {
+    #[cfg(feature = "program")]
     #[doc = include_str!("../CONTRIBUTING.md")]
     struct Contributing;
 

@@ -1,6 +1,5 @@
 //! The yardstick agrees with the structures on nearly all rays, and says what it cannot trace.
 
-#![cfg(feature = "embree")]
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
 mod common;

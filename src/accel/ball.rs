@@ -5,6 +5,7 @@
 //! that nothing a primitive's own box accepts is skipped (see [`Accel`]). For the fine meshes that
 //! a ball is meant for the two radii agree to within the size of a triangle.
 
+use std::io;
 use std::ops::{ControlFlow, Range};
 
 use glam::{DVec3, Vec3};
@@ -12,7 +13,10 @@ use glam::{DVec3, Vec3};
 use crate::counters::Counters;
 use crate::math::{BoxRay, Ray};
 
-use super::{Accel, Bounded, Build, Built, StructureShape};
+use super::save::expect_dense;
+use super::{
+    Accel, Bounded, Build, Built, Decoder, Encoder, LoadError, Portable, Slots, StructureShape,
+};
 
 /// Below this length of a direction `t` can leave the range of floats; such rays skip nothing.
 const SHORTEST_DIR: f64 = 1e-30;
@@ -27,14 +31,7 @@ pub struct BoundingBall {
 
 impl Accel for BoundingBall {
     fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
-        let center = Vec3::from(primitives.mean_point()).as_dvec3();
-        let distance = |p: Vec3| p.as_dvec3().distance_squared(center);
-        let radius_squared = (0..primitives.count())
-            .flat_map(|i| primitives.bounds(i).corners())
-            .map(|corner| distance(corner.into()))
-            .fold(0.0, f64::max);
-        let accel = Self { center, radius: radius_squared.sqrt(), count: primitives.count() };
-        Built { accel, order: None }
+        Built { accel: Self::around(primitives), order: None }
     }
 
     #[inline]
@@ -63,7 +60,35 @@ impl Accel for BoundingBall {
     }
 }
 
+/// Nothing is saved: the ball follows from its primitives.
+impl Portable for BoundingBall {
+    const NAME: &'static str = "ball";
+
+    fn write(&self, _: &mut Encoder<'_>) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn read(
+        primitives: &impl Bounded,
+        Slots { order, .. }: Slots<'_>,
+        _: &mut Decoder<'_>,
+    ) -> Result<Self, LoadError> {
+        expect_dense(order, primitives.count())?;
+        Ok(Self::around(primitives))
+    }
+}
+
 impl BoundingBall {
+    fn around(primitives: &impl Bounded) -> Self {
+        let center = Vec3::from(primitives.mean_point()).as_dvec3();
+        let distance = |p: Vec3| p.as_dvec3().distance_squared(center);
+        let radius_squared = (0..primitives.count())
+            .flat_map(|i| primitives.bounds(i).corners())
+            .map(|corner| distance(corner.into()))
+            .fold(0.0, f64::max);
+        Self { center, radius: radius_squared.sqrt(), count: primitives.count() }
+    }
+
     /// Whether the ray's segment meets the ball, widened so far that no point of a padded box is
     /// outside. In `f64`, where the rounding of the test itself vanishes beside the padding.
     #[inline]

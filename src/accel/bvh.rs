@@ -7,6 +7,8 @@
 //! padding, so it cannot keep the contract of [`Accel`]. The walk below does; for it, the boxes of
 //! both children are laid side by side in their parent, a cache line for each pair.
 
+mod save;
+
 use std::ops::{ControlFlow, Range};
 
 use glam::{Vec3A, Vec4, Vec4Swizzles};
@@ -189,7 +191,8 @@ fn lay_out(tree: &Bvh2, grain: u32) -> Built<Bvh> {
             let index = nodes.len();
             let left = &tree.nodes[from.first_index as usize];
             let right = &tree.nodes[from.first_index as usize + 1];
-            nodes.push(Node { planes: planes_of(left, right), children: [Child::default(); 2] });
+            let planes = planes_of(&bounds_of(left), &bounds_of(right));
+            nodes.push(Node { planes, children: [Child::default(); 2] });
             open.extend([(right, Some((index, 1))), (left, Some((index, 0)))]);
             Child { first: index as u32, count: 0 }
         };
@@ -202,8 +205,12 @@ fn lay_out(tree: &Bvh2, grain: u32) -> Built<Bvh> {
     Built { accel: Bvh { nodes, root: Some(root) }, order: Some(order) }
 }
 
-fn planes_of(left: &Bvh2Node, right: &Bvh2Node) -> [Vec4; 3] {
-    let (left, right) = (left.aabb(), right.aabb());
+fn bounds_of(node: &Bvh2Node) -> Aabb {
+    let obvhs::aabb::Aabb { min, max } = *node.aabb();
+    Aabb { min, max }
+}
+
+fn planes_of(left: &Aabb, right: &Aabb) -> [Vec4; 3] {
     std::array::from_fn(|axis| {
         Vec4::new(left.min[axis], right.min[axis], left.max[axis], right.max[axis])
     })

@@ -6,6 +6,8 @@
 //! entries; the walk below tests the decoded boxes by the common slab formula, with the padding
 //! doubled for what the grid's arithmetic rounds, on a stack that grows with the tree.
 
+mod save;
+
 use std::ops::{ControlFlow, Range};
 
 use glam::{IVec4, Vec3A, Vec4};

@@ -71,6 +71,17 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         Self { primitives, accel: built.accel, build_time, check_time, stages }
     }
 
+    /// What was built elsewhere, and read: primitives in the order of their structure.
+    pub(super) fn loaded(primitives: P, accel: A) -> Self {
+        let [build_time, check_time] = [Duration::ZERO; 2];
+        Self { primitives, accel, build_time, check_time, stages: BuildStages::default() }
+    }
+
+    /// What searches.
+    pub(super) fn accel(&self) -> &A {
+        &self.accel
+    }
+
     /// What is searched.
     #[must_use]
     pub fn primitives(&self) -> &P {
@@ -85,7 +96,8 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     }
 
     /// How long the check of the order took, for those who time around the build.
-    pub(crate) fn check_time(&self) -> Duration {
+    #[must_use]
+    pub fn check_time(&self) -> Duration {
         self.check_time
     }
 

@@ -11,6 +11,8 @@
 //! | `bvh.rs` | obvhs's binary tree |
 //! | `cwbvh.rs` | obvhs's compressed eight-wide tree |
 //! | `bvh8/` | a binary tree collapsed to eight children, many rays at once |
+//!
+//! `save/` writes built structures to bytes and reads them back.
 
 mod ball;
 mod build;
@@ -23,6 +25,7 @@ mod none;
 mod order;
 mod packs;
 mod query;
+mod save;
 mod scratch;
 mod shape;
 mod stages;
@@ -45,6 +48,7 @@ pub use indexed::Indexed;
 pub use none::Exhaustive;
 pub use packs::{NoPacks, PACK, PackHits, Packs};
 pub use query::{AllHits, Answers, AnyHit, ClosestHit, Filtered, Query, Search};
+pub use save::{Decoder, Encoder, LoadError, Portable, PortablePrimitives, Slots};
 pub use scratch::Scratch;
 pub use shape::{LeafHistogram, StructureShape};
 pub use stages::BuildStages;

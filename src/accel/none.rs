@@ -1,11 +1,15 @@
 //! No structure: every primitive is offered to every ray. The definition of the right answer.
 
+use std::io;
 use std::ops::{ControlFlow, Range};
 
 use crate::counters::Counters;
 use crate::math::{BoxRay, Ray};
 
-use super::{Accel, Bounded, Build, Built, StructureShape};
+use super::save::expect_dense;
+use super::{
+    Accel, Bounded, Build, Built, Decoder, Encoder, LoadError, Portable, Slots, StructureShape,
+};
 
 /// Offers everything.
 #[derive(Clone, Copy, Debug)]
@@ -37,5 +41,22 @@ impl Accel for Exhaustive {
         let mut shape = StructureShape { bytes: self.bytes(), ..StructureShape::default() };
         shape.add_leaf(self.count, 0);
         shape
+    }
+}
+
+impl Portable for Exhaustive {
+    const NAME: &'static str = "none";
+
+    fn write(&self, _: &mut Encoder<'_>) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn read(
+        primitives: &impl Bounded,
+        Slots { order, .. }: Slots<'_>,
+        _: &mut Decoder<'_>,
+    ) -> Result<Self, LoadError> {
+        expect_dense(order, primitives.count())?;
+        Ok(Self { count: primitives.count() })
     }
 }

@@ -5,17 +5,24 @@ use crate::math::NONE;
 /// Panics unless each of `count` primitives has one slot; the message names the first that has not.
 /// Slots may be empty only where primitives are tested several at once.
 pub(super) fn assert_whole(order: &[u32], count: u32, grain: u32) {
-    if let Some(fault) = fault(order, count) {
+    if let Some(fault) = fault(order, count, grain) {
         panic!("{fault}");
-    }
-    if let Some(slot) = order.iter().position(|&primitive| primitive == NONE).filter(|_| grain == 1)
-    {
-        panic!("the order leaves slot {slot} empty, of primitives that are tested one by one");
     }
 }
 
 /// What is wrong with an order, if something is.
-fn fault(order: &[u32], count: u32) -> Option<String> {
+pub(super) fn fault(order: &[u32], count: u32, lanes: u32) -> Option<String> {
+    let empty = || order.iter().position(|&primitive| primitive == NONE).filter(|_| lanes == 1);
+    misnamed(order, count).or_else(|| {
+        let slot = empty()?;
+        Some(format!(
+            "the order leaves slot {slot} empty, of primitives that are tested one by one"
+        ))
+    })
+}
+
+/// Which primitive an order does not name once, if there is one.
+fn misnamed(order: &[u32], count: u32) -> Option<String> {
     let mut named = vec![false; count as usize];
     let mut twice = None;
     for &primitive in order.iter().filter(|&&primitive| primitive != NONE) {
@@ -57,9 +64,9 @@ mod tests {
 
     #[test]
     fn each_primitive_has_one_slot() {
-        assert_eq!(fault(&[2, NONE, 0, 1, NONE], 3), None);
-        assert_eq!(fault(&[], 0), None);
-        let fault = |order: &[u32]| fault(order, 5).unwrap();
+        assert_eq!(misnamed(&[2, NONE, 0, 1, NONE], 3), None);
+        assert_eq!(misnamed(&[], 0), None);
+        let fault = |order: &[u32]| misnamed(order, 5).unwrap();
         assert_eq!(fault(&[0, 1, 2, 2, 3]), "the order names primitive 2 twice and 4 never");
         assert_eq!(fault(&[0, 1, 3, 2]), "the order names primitive 4 never");
         assert_eq!(fault(&[0, 1, 2, 3, 4, 1]), "the order names primitive 1 twice");

@@ -9,7 +9,7 @@ const GOLDEN_GAMMA: u64 = 0x9E37_79B9_7F4A_7C15;
 /// Mixes 64 bits: a bijection in which every bit of the input changes half the bits of the output.
 #[inline]
 #[must_use]
-pub fn hash_u64(mut z: u64) -> u64 {
+pub(crate) fn hash_u64(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
     z ^ (z >> 31)
@@ -58,7 +58,7 @@ impl Random {
 /// Two numbers uniform in [0, 1), on a grid of 2⁻²⁴, from 64 random bits.
 #[inline]
 #[must_use]
-pub fn unit_pair(bits: u64) -> [f32; 2] {
+pub(crate) fn unit_pair(bits: u64) -> [f32; 2] {
     [unit_f32((bits >> 40) as u32), unit_f32((bits >> 8) as u32 & 0x00FF_FFFF)]
 }
 

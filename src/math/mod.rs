@@ -14,7 +14,9 @@ mod transform;
 
 pub use aabb::Aabb;
 pub use box_ray::BoxRay;
-pub use hash::{Random, hash_u64, unit_pair};
+pub use hash::Random;
+#[cfg(feature = "program")]
+pub(crate) use hash::{hash_u64, unit_pair};
 pub use hit::{CLOSE, Hit, NONE};
 pub use lanes::{Lanes, Lanes3, Mask, cross, dot, ones, sub, within};
 pub use ray::Ray;
@@ -23,7 +25,8 @@ pub(crate) use transform::outward_box;
 pub use transform::{ConditionError, RayToObject, Transform};
 
 /// The unit roundoff of `f32`: half the distance between 1 and the next float, 2⁻²⁴.
-pub const UNIT_ROUNDOFF: f64 = 1.0 / 16_777_216.0;
+pub(crate) const UNIT_ROUNDOFF: f64 = 1.0 / 16_777_216.0;
 
 /// A colour: linear red, green and blue, unclamped.
+#[cfg(feature = "program")]
 pub type Color = glam::Vec3;

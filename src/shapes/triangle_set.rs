@@ -1,5 +1,7 @@
 //! The triangles of a mesh, eight to a pack, as structures offer them.
 
+mod save;
+
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -9,7 +9,7 @@ const LARGE: usize = 1 << 21;
 /// Asks the system for large pages where a table is about to be written, so that fewer addresses
 /// are to be translated. What is smaller than such a page, or a system that grants none, stays as
 /// it is.
-pub fn ask_for_huge_pages<T>(room: &mut [MaybeUninit<T>]) {
+pub(crate) fn ask_for_huge_pages<T>(room: &mut [MaybeUninit<T>]) {
     #[cfg(target_os = "linux")]
     {
         use rustix::mm::{Advice, madvise};

@@ -15,7 +15,7 @@ mod row;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use huge_pages::ask_for_huge_pages;
+pub(crate) use huge_pages::ask_for_huge_pages;
 pub use isa::{Isa, IsaError, Kernel, dispatch};
-pub use prefetch::prefetch;
+pub(crate) use prefetch::prefetch;
 pub use row::{LANES, Row, Simd, splat3};

@@ -7,7 +7,7 @@ const LINE: usize = 64;
 /// Loads all cache lines of a value ahead of their use. Does nothing where the processor has no such
 /// instruction.
 #[inline(always)]
-pub fn prefetch<T>(value: &T) {
+pub(crate) fn prefetch<T>(value: &T) {
     #[cfg(target_arch = "x86_64")]
     {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};

@@ -15,6 +15,7 @@ mod kernels;
 mod node;
 mod packet;
 mod plan;
+mod save;
 mod slab_ray;
 mod stream;
 mod wave;

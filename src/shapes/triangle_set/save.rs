@@ -1,0 +1,51 @@
+//! Triangles in bytes: each by its corner and edges, as they are stored.
+
+use std::io;
+
+use glam::Vec3A;
+
+use crate::accel::{Decoder, Encoder, LoadError, PACK, PortablePrimitives};
+use crate::math::Padding;
+use crate::shapes::Triangle;
+
+use super::{Bounded, TriangleSet, pack};
+
+impl PortablePrimitives for TriangleSet {
+    const NAME: &'static str = "triangles";
+
+    fn slot_count(&self) -> u32 {
+        (self.packs.len() * PACK) as u32
+    }
+
+    fn id(&self, slot: u32) -> u32 {
+        self.slot(slot).1
+    }
+
+    fn write(&self, slots: &[u32], out: &mut Encoder<'_>) -> io::Result<()> {
+        out.vec3(self.mean_vertex.into())?;
+        for &slot in slots {
+            let Triangle { v0, e1, e2 } = self.slot(slot).0;
+            [v0, e1, e2].into_iter().try_for_each(|v| out.vec3(v))?;
+        }
+        Ok(())
+    }
+
+    fn read(count: u32, input: &mut Decoder<'_>) -> Result<Self, LoadError> {
+        let mean_vertex = Vec3A::from(input.vec3()?);
+        if !mean_vertex.is_finite() {
+            return Err(LoadError::invalid("the mean of the vertices is not finite"));
+        }
+        let triangles = input.list(count, |input| {
+            let triangle = Triangle { v0: input.vec3()?, e1: input.vec3()?, e2: input.vec3()? };
+            match triangle.is_finite() {
+                true => Ok(triangle),
+                false => Err(LoadError::invalid("a triangle is not finite")),
+            }
+        })?;
+        let packs = pack(triangles.len(), |slot| Some((*triangles.get(slot)?, slot as u32)));
+        let padding = Padding { largest: 0.0, factor: 1.0 };
+        let mut set = Self { packs, count, mean_vertex, padding };
+        set.padding = Padding::of_bounds(&set.total_bounds());
+        Ok(set)
+    }
+}

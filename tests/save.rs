@@ -1,0 +1,253 @@
+//! Structures are saved and loaded: what was saved is loaded again, and whatever else the bytes
+//! hold, loading ends with an error or with a structure that returns the hits of its primitives.
+
+#![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
+
+use std::io::Read;
+
+use srt::accel::{
+    Answers, BoundingBall, BuildConfig, Bvh, Bvh8, CompressedWideBvh, Exhaustive, Indexed,
+    LoadError, Portable, Quality, Scratch, StructureShape, Tracer,
+};
+use srt::conformance::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
+use srt::conformance::nasty_meshes::{self, Mesh};
+use srt::math::{Hit, Ray};
+use srt::shapes::TriangleSet;
+
+type Triangles<A> = Indexed<TriangleSet, A>;
+
+fn built<A: Portable>(mesh: &Mesh, quality: Quality) -> Triangles<A> {
+    let config = BuildConfig { quality, ..BuildConfig::default() };
+    Indexed::build(TriangleSet::new(&mesh.positions, &mesh.triangles), &config)
+}
+
+fn saved<A: Portable>(index: &Triangles<A>) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    index.save(&mut bytes).unwrap();
+    bytes
+}
+
+fn load<A: Portable>(bytes: &[u8]) -> Result<Triangles<A>, LoadError> {
+    Indexed::load(bytes)
+}
+
+fn trace(tracer: &dyn Tracer, rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
+    let (mut hits, mut blocked) = (vec![Hit::MISS; rays.len()], vec![false; rays.len()]);
+    let scratch = &mut Scratch::default();
+    tracer.trace(rays, Answers::ClosestHit(&mut hits), scratch, None);
+    tracer.trace(rays, Answers::AnyHit(&mut blocked), scratch, None);
+    (hits, blocked)
+}
+
+fn assert_same(a: &dyn Tracer, b: &dyn Tracer, rays: &[Ray]) {
+    let (a, b) = (trace(a, rays), trace(b, rays));
+    for (ray, (a, b)) in rays.iter().zip(a.0.iter().zip(&b.0)) {
+        assert!(a.same_bits(b), "{ray:?}: {a:?} and {b:?}");
+    }
+    assert_eq!(a.1, b.1);
+}
+
+/// Rays of all kinds at a mesh; there is something to aim at even where it is empty.
+fn rays_of_all_kinds(mesh: &Mesh, count: usize) -> Vec<Ray> {
+    let target = if mesh.triangles.is_empty() { nasty_meshes::single() } else { mesh.clone() };
+    let mut rays = rays_at(&target, count, 17);
+    rays.extend(bundles_around(&rays[..count / 64]));
+    let (hits, _) = trace(&built::<Exhaustive>(mesh, Quality::Medium), &rays);
+    rays.extend(rays_cut_at_hits(&rays.clone(), &hits));
+    rays
+}
+
+/// What a structure looks like, but for the memory that it was built in.
+fn shape<A: Portable>(index: &Triangles<A>) -> StructureShape {
+    StructureShape { bytes: 0, ..index.shape() }
+}
+
+fn check_round_trip<A: Portable>() {
+    let mut meshes = nasty_meshes::all();
+    meshes.push(nasty_meshes::empty("empty"));
+    // With debug assertions, obvhs does not build a compressed tree as deep as that of this mesh.
+    let is_too_deep = |mesh: &&Mesh| {
+        cfg!(debug_assertions) && A::NAME == CompressedWideBvh::NAME && mesh.name == "nested"
+    };
+    for mesh in meshes.iter().filter(|mesh| !is_too_deep(mesh)) {
+        let rays = rays_of_all_kinds(mesh, 400);
+        for quality in [Quality::Fastest, Quality::Medium, Quality::Slow] {
+            let index = built::<A>(mesh, quality);
+            let bytes = saved(&index);
+            let loaded = load::<A>(&bytes).unwrap();
+            assert_eq!(shape(&index), shape(&loaded), "{}", mesh.name);
+            assert_eq!(index.tree(), loaded.tree(), "{}", mesh.name);
+            assert_eq!(bytes, saved(&loaded), "{}", mesh.name);
+            assert_same(&index, &loaded, &rays);
+        }
+    }
+}
+
+#[test]
+fn none_is_loaded_as_it_was_saved() {
+    check_round_trip::<Exhaustive>();
+}
+
+#[test]
+fn a_ball_is_loaded_as_it_was_saved() {
+    check_round_trip::<BoundingBall>();
+}
+
+#[test]
+fn bvh_is_loaded_as_it_was_saved() {
+    check_round_trip::<Bvh>();
+}
+
+#[test]
+fn cwbvh_is_loaded_as_it_was_saved() {
+    check_round_trip::<CompressedWideBvh>();
+}
+
+#[test]
+fn bvh8_is_loaded_as_it_was_saved() {
+    check_round_trip::<Bvh8>();
+}
+
+/// A few triangles, in several leaves.
+fn few() -> Mesh {
+    let mut mesh = nasty_meshes::soup();
+    mesh.triangles.truncate(20);
+    mesh
+}
+
+#[test]
+fn several_structures_follow_each_other() {
+    let mesh = few();
+    let (first, second) =
+        (built::<Bvh>(&mesh, Quality::Medium), built::<Bvh8>(&mesh, Quality::Medium));
+    let bytes = [saved(&first), saved(&second), vec![7]].concat();
+    let mut rest = &bytes[..];
+    assert_eq!(saved(&Triangles::<Bvh>::load(&mut rest).unwrap()), saved(&first));
+    assert_eq!(saved(&Triangles::<Bvh8>::load(&mut rest).unwrap()), saved(&second));
+    assert_eq!(rest, [7]);
+}
+
+#[test]
+fn what_is_something_else_is_called_by_its_name() {
+    let error = |bytes: &[u8]| load::<Bvh8>(bytes).unwrap_err().to_string();
+    let of_bvh = saved(&built::<Bvh>(&few(), Quality::Medium));
+    assert_eq!(error(&of_bvh), "the saved structure is `bvh`, not `bvh8`");
+    let mut of_bvh8 = saved(&built::<Bvh8>(&few(), Quality::Medium));
+    assert_eq!(error(b"v 0 0 0\nv 1 0 0\n"), "this is not a saved structure");
+    assert_eq!(error(&of_bvh8[..5]), "a saved structure ends too early");
+    of_bvh8[8] = 2;
+    let version = "a saved structure has version 2 of the format, and only 1 can be read";
+    assert_eq!(error(&of_bvh8), version);
+    let unreadable = Triangles::<Bvh8>::load(Unreadable).unwrap_err();
+    assert!(matches!(unreadable, LoadError::Unreadable(_)));
+}
+
+struct Unreadable;
+
+impl Read for Unreadable {
+    fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+        Err(std::io::Error::other("out of order"))
+    }
+}
+
+/// The checksum of the format, written anew from its description: FNV-1a over all bytes before it.
+fn with_checksum(mut bytes: Vec<u8>) -> Vec<u8> {
+    let content = bytes.len() - 8;
+    let mut sum = 0xCBF2_9CE4_8422_2325_u64;
+    for &byte in &bytes[..content] {
+        sum = (sum ^ u64::from(byte)).wrapping_mul(0x100_0000_01B3);
+    }
+    bytes.splice(content.., sum.to_le_bytes());
+    bytes
+}
+
+/// Each byte changed in several ways.
+fn damaged(bytes: &[u8]) -> impl Iterator<Item = (usize, Vec<u8>)> {
+    let changes = [0x01, 0x02, 0x10, 0x80, 0xFF];
+    (0..bytes.len()).flat_map(move |place| {
+        changes.map(|change| {
+            let mut bytes = bytes.to_vec();
+            bytes[place] ^= change;
+            (place, bytes)
+        })
+    })
+}
+
+fn check_damage<A: Portable>() {
+    let bytes = saved(&built::<A>(&few(), Quality::Medium));
+    assert!(load::<A>(&bytes).is_ok());
+    for (place, bytes) in damaged(&bytes) {
+        assert!(load::<A>(&bytes).is_err(), "byte {place}");
+    }
+    for length in 0..bytes.len() {
+        let error = load::<A>(&bytes[..length]).err().unwrap();
+        assert!(matches!(error, LoadError::Truncated), "{length} bytes: {error}");
+    }
+}
+
+#[test]
+fn a_changed_byte_or_a_missing_one_is_an_error() {
+    check_damage::<Exhaustive>();
+    check_damage::<BoundingBall>();
+    check_damage::<Bvh>();
+    check_damage::<CompressedWideBvh>();
+    check_damage::<Bvh8>();
+}
+
+/// The same primitives and no structure: the bytes up to the order of slots, which is replaced by
+/// that of the ids.
+fn without_structure(bytes: &[u8]) -> Triangles<Exhaustive> {
+    let name_end = 13 + usize::from(bytes[12]);
+    let count_at = name_end + 1 + usize::from(bytes[name_end]);
+    let count = u32::from_le_bytes(*bytes[count_at..].first_chunk().unwrap());
+    let order_at = count_at + 4 + 12 + 36 * count as usize;
+    let slots = count.next_multiple_of(8);
+    let order =
+        (0..slots).flat_map(|slot| (if slot < count { slot } else { u32::MAX }).to_le_bytes());
+    let mut exhaustive = [&bytes[..12], b"\x04none", &bytes[name_end..order_at]].concat();
+    exhaustive.extend(slots.to_le_bytes());
+    exhaustive.extend(order);
+    exhaustive.extend([0; 8]);
+    load(&with_checksum(exhaustive)).unwrap()
+}
+
+/// Bytes that were made to be loaded: their checksum is right, and what they say is not.
+fn check_forgeries<A: Portable>() {
+    let mesh = few();
+    let rays = rays_of_all_kinds(&mesh, 128);
+    let bytes = saved(&built::<A>(&mesh, Quality::Medium));
+    let (mut loaded, mut refused) = (0, 0);
+    for (_, bytes) in damaged(&bytes[..bytes.len() - 8]) {
+        let bytes = with_checksum([bytes, vec![0; 8]].concat());
+        match load::<A>(&bytes) {
+            Ok(index) => {
+                assert_same(&without_structure(&bytes), &index, &rays);
+                assert_eq!(saved(&load::<A>(&saved(&index)).unwrap()), saved(&index));
+                loaded += 1;
+            }
+            Err(_) => refused += 1,
+        }
+    }
+    // A moved vertex that stays within its boxes is one that can be loaded.
+    assert!(loaded > 10 && refused > 100, "{loaded} loaded, {refused} refused");
+}
+
+#[test]
+fn forged_balls_are_errors_or_right() {
+    check_forgeries::<BoundingBall>();
+}
+
+#[test]
+fn forged_binary_trees_are_errors_or_right() {
+    check_forgeries::<Bvh>();
+}
+
+#[test]
+fn forged_compressed_trees_are_errors_or_right() {
+    check_forgeries::<CompressedWideBvh>();
+}
+
+#[test]
+fn forged_wide_trees_are_errors_or_right() {
+    check_forgeries::<Bvh8>();
+}
