@@ -17,7 +17,7 @@ use smallvec::SmallVec;
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
-use super::{Accel, Bounded, BuildConfig, Built, StructureShape, Tree, obvhs_boxes};
+use super::{Accel, Bounded, BuildConfig, Built, Order, StructureShape, Tree, obvhs_boxes};
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
 const USUAL_DEPTH: usize = 32;
@@ -217,7 +217,7 @@ fn lay_out(tree: &Bvh2, lanes: u32) -> Built<Bvh> {
         }
     }
     nodes.shrink_to_fit();
-    Built { accel: Bvh { nodes, root: Some(root) }, order: Some(order) }
+    Built { accel: Bvh { nodes, root: Some(root) }, order: Some(Order::Permutation(order)) }
 }
 
 fn planes_of(left: &Bvh2Node, right: &Bvh2Node) -> [Vec4; 3] {

@@ -17,7 +17,7 @@ use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Ray};
 use crate::simd::ones;
 
-use super::{Accel, Bounded, BuildConfig, Built, StructureShape, Tree, obvhs_boxes};
+use super::{Accel, Bounded, BuildConfig, Built, Order, StructureShape, Tree, obvhs_boxes};
 
 const WIDTH: usize = 8;
 
@@ -33,7 +33,7 @@ pub struct CompressedWideBvh {
 impl Accel for CompressedWideBvh {
     fn build(primitives: &impl Bounded, config: &BuildConfig) -> Built<Self> {
         if primitives.count() == 0 {
-            return Built { accel: Self { nodes: Vec::new() }, order: Some(Vec::new()) };
+            return Built { accel: Self { nodes: Vec::new() }, order: None };
         }
         let mut parameters = config.quality.parameters();
         parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(config.max_leaf);
@@ -41,7 +41,7 @@ impl Accel for CompressedWideBvh {
         let tree = build_cwbvh(&boxes, parameters, &mut std::time::Duration::default());
         let mut nodes = tree.nodes;
         nodes.shrink_to_fit();
-        Built { accel: Self { nodes }, order: Some(tree.primitive_indices) }
+        Built { accel: Self { nodes }, order: Some(Order::Permutation(tree.primitive_indices)) }
     }
 
     #[inline]

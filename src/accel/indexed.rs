@@ -7,7 +7,6 @@ use crate::math::{Hit, Ray};
 
 use super::{
     Accel, BuildConfig, BuildStages, Primitives, StructureShape, Tracer, Tree, blocked, closest,
-    order,
 };
 
 /// Primitives, in the order of their structure.
@@ -45,7 +44,7 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     ///
     /// # Panics
     /// If the structure's order ([`Built::order`](super::Built::order)) does not give each primitive
-    /// one slot.
+    /// its slots.
     #[must_use]
     pub fn build(mut primitives: P, config: &BuildConfig) -> Self {
         let start = Instant::now();
@@ -55,9 +54,9 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         if let Some(order) = &built.order {
             // No part of the build: a structure is not to pay for being trusted little.
             let check = Instant::now();
-            order::assert_whole(order, primitives.count(), primitives.lanes());
+            order.assert_whole(primitives.count(), primitives.lanes());
             check_time = check.elapsed();
-            stages.time("order", || primitives.reorder(order));
+            stages.time("order", || primitives.reorder(order.slots()));
         }
         let build_time = start.elapsed() - check_time;
         Self { primitives, accel: built.accel, build_time, check_time, stages }

@@ -40,6 +40,7 @@ pub use config::{BuildConfig, Quality};
 pub use cwbvh::CompressedWideBvh;
 pub use indexed::Indexed;
 pub use none::Exhaustive;
+pub use order::Order;
 pub use packs::{NoPacks, PACK, Packs, ScaledHit};
 pub use shape::{LeafHistogram, StructureShape};
 pub use stages::BuildStages;
@@ -179,14 +180,10 @@ fn blocked<A: Accel, P: Primitives, C: Counters>(
 pub struct Built<A> {
     /// The structure.
     pub accel: A,
-    /// Slot → primitive index, where the structure wants an order of its own;
-    /// [`NONE`](crate::math::NONE) for a slot that stays empty, which is for primitives that are tested
-    /// several at once ([`Bounded::lanes`]): others close ranks.
-    ///
-    /// Each primitive has exactly one slot: [`Indexed::build`] panics otherwise, with a message as
-    /// `the order names primitive 17 twice and 4 never`. A primitive that several leaves want is
-    /// offered several times from its one slot.
-    pub order: Option<Vec<u32>>,
+    /// Which primitive stands in which slot; `None` where slots are indices. A structure that refers
+    /// to a primitive from several leaves either offers its one slot several times, or has it copied
+    /// ([`Order::References`]), so that every leaf is a range and is tested in packs.
+    pub order: Option<Order>,
 }
 
 /// Primitives in slot order, with the formula that all structures share.
@@ -200,8 +197,8 @@ pub trait Primitives: Bounded + Send + Sync {
     /// The padding that every box test of these primitives uses.
     fn padding(&self) -> Padding;
 
-    /// Puts the primitives into the order of a structure: slot `i` gets primitive `order[i]`, or
-    /// stays empty. Hits go on to speak of ids: the indices before any reordering.
+    /// Puts the primitives into the order of a structure: slot `i` gets a copy of primitive
+    /// `order[i]`, or stays empty. Hits go on to speak of ids: the indices before any reordering.
     fn reorder(&mut self, order: &[u32]);
 
     /// Replaces `best` by the first hit in the order `(t, object, prim)` among some slots and

@@ -120,13 +120,13 @@ impl TriangleSet {
         Ok(set)
     }
 
-    /// How many triangles there are.
+    /// How many triangles there are, copies not counted.
     #[must_use]
     pub fn triangle_count(&self) -> u32 {
         self.count
     }
 
-    /// Bytes of the packed triangles.
+    /// Bytes of the packed triangles, copies in several slots included.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         (self.packs.capacity() * size_of::<Pack>()) as u64
@@ -137,6 +137,11 @@ impl TriangleSet {
         let Triangle { v0, e1, e2 } = self.slot(slot).0;
         let v0 = v0.as_dvec3();
         [v0, v0 + e1.as_dvec3(), v0 + e2.as_dvec3()]
+    }
+
+    /// The index in the mesh of the triangle in a slot.
+    pub(super) fn prim(&self, slot: u32) -> u32 {
+        self.slot(slot).1
     }
 
     fn slot(&self, slot: u32) -> (Triangle, u32) {

@@ -38,8 +38,8 @@ use self::parked::Parked;
 use self::plan::Plan;
 use self::slab_ray::Sides;
 use super::{
-    Accel, Bounded, BuildConfig, BuildStages, Built, PACK, Packs as _, Primitives, StructureShape,
-    Tree, obvhs_boxes,
+    Accel, Bounded, BuildConfig, BuildStages, Built, Order, PACK, Packs as _, Primitives,
+    StructureShape, Tree, obvhs_boxes,
 };
 
 /// The stack lives with the call up to this height, and on the heap beyond.
@@ -88,7 +88,7 @@ impl Accel for Bvh8 {
         let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
         let need = stack_need(&wide.nodes);
         let accel = Self { nodes: wide.nodes, block: leaves.block, need };
-        Built { accel, order: Some(wide.order) }
+        Built { accel, order: Some(Order::Permutation(wide.order)) }
     }
 
     #[inline]
