@@ -52,6 +52,15 @@ pub trait Bounded: Sync {
     fn count(&self) -> u32;
     /// The box of one of them. Never empty; all coordinates finite.
     fn bounds(&self, index: u32) -> Aabb;
+    /// A box around the part of one of them that lies within a box, for builders that split; empty
+    /// where there is none. It lies within both boxes, and need not be the smallest.
+    ///
+    /// Rays are not held to it: a structure whose boxes are these does not keep the contract of
+    /// [`Accel`], which is about the primitive's whole box.
+    fn clipped_bounds(&self, index: u32, to: &Aabb) -> Aabb {
+        self.bounds(index).intersection(*to)
+    }
+
     /// The mean of the points that define them; for triangles, of the mesh's vertices.
     fn mean_point(&self) -> Vec3A;
 

@@ -173,6 +173,10 @@ impl Bounded for TriangleSet {
         self.slot(index).0.bounds()
     }
 
+    fn clipped_bounds(&self, index: u32, to: &Aabb) -> Aabb {
+        self.slot(index).0.clipped_bounds(to)
+    }
+
     fn mean_point(&self) -> Vec3A {
         self.mean_vertex
     }
