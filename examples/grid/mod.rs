@@ -2,7 +2,7 @@
 
 use std::ops::{ControlFlow, Range};
 
-use srt::accel::{Accel, Bounded, Build, Built, Tree};
+use srt::accel::{Accel, Bounded, Build, Built, Order, Tree};
 use srt::counters::Counters;
 use srt::math::{Aabb, BoxRay, Ray};
 
@@ -30,7 +30,7 @@ impl Accel for Grid {
             cells.push((boxes.fold(Aabb::EMPTY, Aabb::union), first..end));
             first = end;
         }
-        Built { accel: Self { cells }, order: Some(order) }
+        Built { accel: Self { cells }, order: Some(Order::Permutation(order)) }
     }
 
     fn traverse<C: Counters>(

@@ -4,7 +4,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::math::Aabb;
 
-use super::{Bounded, BuildConfig, BuildStages};
+use super::{Bounded, BuildConfig, BuildStages, Order};
 
 /// What a structure is given to build itself, beside the primitives.
 #[derive(Debug)]
@@ -24,14 +24,10 @@ pub struct Build<'a> {
 pub struct Built<A> {
     /// The structure.
     pub accel: A,
-    /// Slot → primitive index, where the structure wants an order of its own;
-    /// [`NONE`](crate::math::NONE) for a slot that stays empty, which is for primitives that are tested
-    /// several at once ([`Build::grain`]): others close ranks.
-    ///
-    /// Each primitive has exactly one slot: [`Indexed::build`](super::Indexed::build) panics
-    /// otherwise, with a message as `the order names primitive 17 twice and 4 never`. A primitive
-    /// that several leaves want is offered several times from its one slot.
-    pub order: Option<Vec<u32>>,
+    /// Which primitive is in which slot; `None` where slots are indices. A structure that refers to a
+    /// primitive from several leaves either offers its one slot several times, or has it copied
+    /// ([`Order::References`]), so that every leaf is a range and is tested in packs.
+    pub order: Option<Order>,
 }
 
 /// The primitives' boxes as obvhs's builders take them.

@@ -21,7 +21,7 @@ use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
 use super::build::obvhs_boxes;
-use super::{Accel, Bounded, Build, Built, Tree};
+use super::{Accel, Bounded, Build, Built, Order, Tree};
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
 const USUAL_DEPTH: usize = 32;
@@ -202,7 +202,7 @@ fn lay_out(tree: &Bvh2, grain: u32) -> Built<Bvh> {
         }
     }
     nodes.shrink_to_fit();
-    Built { accel: Bvh { nodes, root: Some(root) }, order: Some(order) }
+    Built { accel: Bvh { nodes, root: Some(root) }, order: Some(Order::Permutation(order)) }
 }
 
 fn bounds_of(node: &Bvh2Node) -> Aabb {

@@ -20,7 +20,7 @@ use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, Ray, ones};
 
 use super::build::obvhs_boxes;
-use super::{Accel, Bounded, Build, Built, Tree};
+use super::{Accel, Bounded, Build, Built, Order, Tree};
 
 const WIDTH: usize = 8;
 
@@ -36,7 +36,7 @@ pub struct CompressedWideBvh {
 impl Accel for CompressedWideBvh {
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         if primitives.count() == 0 {
-            return Built { accel: Self { nodes: Vec::new() }, order: Some(Vec::new()) };
+            return Built { accel: Self { nodes: Vec::new() }, order: None };
         }
         let mut parameters = build.config.quality.parameters();
         parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(build.config.max_leaf);
@@ -44,7 +44,7 @@ impl Accel for CompressedWideBvh {
         let tree = build_cwbvh(&boxes, parameters, &mut std::time::Duration::default());
         let mut nodes = tree.nodes;
         nodes.shrink_to_fit();
-        Built { accel: Self { nodes }, order: Some(tree.primitive_indices) }
+        Built { accel: Self { nodes }, order: Some(Order::Permutation(tree.primitive_indices)) }
     }
 
     #[inline]

@@ -7,7 +7,7 @@ use crate::math::{Hit, Ray};
 
 use super::{
     Accel, Answers, AnyHit, Build, BuildConfig, BuildStages, ClosestHit, Packs, Primitives, Query,
-    Scratch, StructureShape, Tracer, Tree, order, search_one,
+    Scratch, StructureShape, Tracer, Tree, search_one,
 };
 
 /// Primitives, in the order of their structure.
@@ -49,7 +49,7 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     ///
     /// # Panics
     /// If the structure's order ([`Built::order`](super::Built::order)) does not give each primitive
-    /// one slot.
+    /// its slots.
     #[must_use]
     pub fn build(mut primitives: P, config: &BuildConfig) -> Self {
         let start = Instant::now();
@@ -63,9 +63,9 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         if let Some(order) = &built.order {
             // The check is no part of what a build costs.
             let check = Instant::now();
-            order::assert_whole(order, primitives.count(), grain);
+            order.assert_whole(primitives.count(), grain);
             check_time = check.elapsed();
-            stages.time("order", || primitives.reorder(order));
+            stages.time("order", || primitives.reorder(order.slots()));
         }
         let build_time = start.elapsed() - check_time;
         Self { primitives, accel: built.accel, build_time, check_time, stages }

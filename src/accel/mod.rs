@@ -46,6 +46,7 @@ pub use config::{BuildConfig, Quality};
 pub use cwbvh::CompressedWideBvh;
 pub use indexed::Indexed;
 pub use none::Exhaustive;
+pub use order::Order;
 pub use packs::{NoPacks, PACK, PackHits, Packs};
 pub use query::{AllHits, Answers, AnyHit, ClosestHit, Filtered, Query, Search};
 pub use save::{Decoder, Encoder, LoadError, Portable, PortablePrimitives, Slots};
@@ -60,6 +61,15 @@ pub trait Bounded: Sync {
     fn count(&self) -> u32;
     /// The box of one of them. Never empty; all coordinates finite.
     fn bounds(&self, index: u32) -> Aabb;
+    /// A box around the part of one of them that lies within a box, for builders that split; empty
+    /// where there is none. It lies within both boxes, and need not be the smallest.
+    ///
+    /// Rays are not held to it: a structure whose boxes are these does not keep the contract of
+    /// [`Accel`], which is about the primitive's whole box.
+    fn clipped_bounds(&self, index: u32, to: &Aabb) -> Aabb {
+        self.bounds(index).intersection(*to)
+    }
+
     /// The mean of the points that define them; for triangles, of the mesh's vertices.
     fn mean_point(&self) -> Vec3A;
 
@@ -161,8 +171,8 @@ pub trait Primitives: Bounded + Send + Sync {
     /// The padding that every box test of these primitives uses.
     fn padding(&self) -> Padding;
 
-    /// Puts the primitives into the order of a structure: slot `i` gets primitive `order[i]`, or
-    /// stays empty. Hits go on to speak of ids: the indices before any reordering.
+    /// Puts the primitives into the order of a structure: slot `i` gets a copy of primitive
+    /// `order[i]`, or stays empty. Hits go on to speak of ids: the indices before any reordering.
     fn reorder(&mut self, order: &[u32]);
 
     /// Records in `answer` what some slots have for a ray that has not ended: every hit that counts,

@@ -1,50 +1,77 @@
-//! Whether an order of slots is one: each primitive in one slot.
+//! Which primitive stands in which slot, and whether such an order is whole.
 
 use crate::math::NONE;
 
-/// Panics unless each of `count` primitives has one slot; the message names the first that has not.
-/// Slots may be empty only where primitives are tested several at once.
-pub(super) fn assert_whole(order: &[u32], count: u32, grain: u32) {
-    if let Some(fault) = fault(order, count, grain) {
-        panic!("{fault}");
+/// For each slot the index of its primitive, or [`NONE`] where the slot stays empty, which is for
+/// primitives that are tested several at once ([`Build::grain`](super::Build::grain)).
+///
+/// [`Indexed::build`](super::Indexed::build) panics if a primitive has no slot, or several in a
+/// permutation, with a message as `the order names primitive 17 twice and 4 never`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// Each primitive has one slot.
+    Permutation(Vec<u32>),
+    /// Each primitive has at least one slot: a primitive that several leaves refer to is copied into
+    /// a slot of each. Its copies have the same id and give the same hit, so it does not matter how
+    /// many of them a ray tests. Each takes the memory of a primitive.
+    References(Vec<u32>),
+}
+
+impl Order {
+    /// The primitive of each slot.
+    #[must_use]
+    pub fn slots(&self) -> &[u32] {
+        match self {
+            Self::Permutation(slots) | Self::References(slots) => slots,
+        }
     }
-}
 
-/// What is wrong with an order, if something is.
-pub(super) fn fault(order: &[u32], count: u32, lanes: u32) -> Option<String> {
-    let empty = || order.iter().position(|&primitive| primitive == NONE).filter(|_| lanes == 1);
-    misnamed(order, count).or_else(|| {
-        let slot = empty()?;
-        Some(format!(
-            "the order leaves slot {slot} empty, of primitives that are tested one by one"
-        ))
-    })
-}
+    /// Panics unless each of `count` primitives has its slots; the message names the first that has
+    /// not.
+    pub(super) fn assert_whole(&self, count: u32, grain: u32) {
+        if let Some(fault) = self.fault(count, grain) {
+            panic!("{fault}");
+        }
+    }
 
-/// Which primitive an order does not name once, if there is one.
-fn misnamed(order: &[u32], count: u32) -> Option<String> {
-    let mut named = vec![false; count as usize];
-    let mut twice = None;
-    for &primitive in order.iter().filter(|&&primitive| primitive != NONE) {
-        match named.get_mut(primitive as usize) {
-            None => {
-                return Some(format!(
-                    "the order names primitive {primitive}, and there are {count}, counted from 0"
-                ));
+    /// What is wrong, if something is. Slots may be empty only where primitives are tested several at
+    /// once.
+    pub(super) fn fault(&self, count: u32, grain: u32) -> Option<String> {
+        let empty = || self.slots().iter().position(|&slot| slot == NONE).filter(|_| grain == 1);
+        self.misnamed(count).or_else(|| {
+            let slot = empty()?;
+            Some(format!(
+                "the order leaves slot {slot} empty, of primitives that are tested one by one"
+            ))
+        })
+    }
+
+    /// Which primitive has not its slots, if there is one.
+    fn misnamed(&self, count: u32) -> Option<String> {
+        let mut named = vec![false; count as usize];
+        let mut twice = None;
+        for &primitive in self.slots().iter().filter(|&&primitive| primitive != NONE) {
+            match named.get_mut(primitive as usize) {
+                None => {
+                    return Some(format!(
+                        "the order names primitive {primitive}, and there are {count}, counted from 0"
+                    ));
+                }
+                Some(named) if *named => twice = twice.or(Some(primitive)),
+                Some(named) => *named = true,
             }
-            Some(named) if *named => twice = twice.or(Some(primitive)),
-            Some(named) => *named = true,
         }
+        let never = named.iter().position(|&named| !named);
+        let twice = twice.filter(|_| matches!(self, Self::Permutation(_)));
+        Some(match (twice, never) {
+            (None, None) => return None,
+            (Some(twice), None) => format!("the order names primitive {twice} twice"),
+            (None, Some(never)) => format!("the order names primitive {never} never"),
+            (Some(twice), Some(never)) => {
+                format!("the order names primitive {twice} twice and {never} never")
+            }
+        })
     }
-    let never = named.iter().position(|&named| !named);
-    Some(match (twice, never) {
-        (None, None) => return None,
-        (Some(twice), None) => format!("the order names primitive {twice} twice"),
-        (None, Some(never)) => format!("the order names primitive {never} never"),
-        (Some(twice), Some(never)) => {
-            format!("the order names primitive {twice} twice and {never} never")
-        }
-    })
 }
 
 #[cfg(test)]
@@ -53,23 +80,33 @@ mod tests {
 
     #[test]
     fn slots_are_empty_among_several_lanes() {
-        assert_whole(&[1, NONE, 0], 2, 4);
+        Order::Permutation(vec![1, NONE, 0]).assert_whole(2, 4);
+        Order::References(vec![1, NONE, 0, 1]).assert_whole(2, 4);
     }
 
     #[test]
     #[should_panic(expected = "the order leaves slot 1 empty")]
     fn no_slot_is_empty_where_there_are_no_lanes() {
-        assert_whole(&[1, NONE, 0], 2, 1);
+        Order::Permutation(vec![1, NONE, 0]).assert_whole(2, 1);
     }
 
     #[test]
-    fn each_primitive_has_one_slot() {
-        assert_eq!(misnamed(&[2, NONE, 0, 1, NONE], 3), None);
-        assert_eq!(misnamed(&[], 0), None);
-        let fault = |order: &[u32]| misnamed(order, 5).unwrap();
+    fn each_primitive_has_one_slot_in_a_permutation() {
+        let fault = |order: &[u32], count| Order::Permutation(order.to_vec()).misnamed(count);
+        assert_eq!(fault(&[2, NONE, 0, 1, NONE], 3), None);
+        assert_eq!(fault(&[], 0), None);
+        let fault = |order: &[u32]| fault(order, 5).unwrap();
         assert_eq!(fault(&[0, 1, 2, 2, 3]), "the order names primitive 2 twice and 4 never");
         assert_eq!(fault(&[0, 1, 3, 2]), "the order names primitive 4 never");
         assert_eq!(fault(&[0, 1, 2, 3, 4, 1]), "the order names primitive 1 twice");
         assert!(fault(&[0, 5]).starts_with("the order names primitive 5, and there are 5"));
+    }
+
+    #[test]
+    fn each_primitive_has_some_slot_among_references() {
+        let fault = |order: &[u32]| Order::References(order.to_vec()).misnamed(3);
+        assert_eq!(fault(&[2, 0, NONE, 1, 0, 2, 2]), None);
+        assert_eq!(fault(&[2, 0, 2]).unwrap(), "the order names primitive 1 never");
+        assert!(fault(&[0, 1, 2, 3]).unwrap().starts_with("the order names primitive 3, and"));
     }
 }

@@ -306,7 +306,7 @@ mod tests {
     #[test]
     fn none_is_itself() {
         let summary = check::<Exhaustive>().unwrap();
-        assert_eq!(summary.meshes, 6);
+        assert_eq!(summary.meshes, 7);
         assert!(summary.hits > summary.rays / 10, "{summary}");
     }
 }

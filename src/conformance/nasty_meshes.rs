@@ -46,7 +46,7 @@ impl Mesh {
 /// All of them.
 #[must_use]
 pub fn all() -> Vec<Mesh> {
-    vec![lattice(), nested(), soup(), fan(), single()]
+    vec![lattice(), nested(), sheets(), soup(), fan(), single()]
 }
 
 /// No triangle at all.
@@ -109,6 +109,26 @@ pub fn nested() -> Mesh {
             Vec3::new(0.0, s, 0.1 * s),
             Vec3::new(-0.2 * s, -0.1 * s, s),
         ]);
+    }
+    mesh
+}
+
+/// Quads above one another, apart by a few units in the last place: by the rounding of a hit alone
+/// one may seem to lie on the other side of its neighbours, or of a plane between them.
+#[must_use]
+pub fn sheets() -> Mesh {
+    let mut mesh = empty("sheets");
+    let mut random = Random::new(&[13]);
+    for a in 0..3 {
+        let (b, c) = ((a + 1) % 3, (a + 2) % 3);
+        for _ in 0..24 {
+            let steps = 1 << random.below(6);
+            let height = f32::from_bits(0.7f32.to_bits() + random.below(steps));
+            let [x, y] = random.next_pair();
+            let [width, depth] = random.next_pair();
+            let corner = axis(a, height) + axis(b, 0.5 * x) + axis(c, 0.5 * y);
+            mesh.push_quad(corner, axis(b, 0.5 * width), axis(c, 0.5 * depth));
+        }
     }
     mesh
 }

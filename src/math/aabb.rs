@@ -27,6 +27,13 @@ impl Aabb {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
+    /// The points of both boxes: [`EMPTY`](Self::EMPTY) where there are none.
+    #[must_use]
+    pub fn intersection(self, other: Self) -> Self {
+        let both = Self { min: self.min.max(other.min), max: self.max.min(other.max) };
+        if both.is_empty() { Self::EMPTY } else { both }
+    }
+
     /// Whether it holds no point.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -85,5 +92,15 @@ mod tests {
         assert_eq!(a.half_area(), 2.0 * 3.0 + 3.0 * 3.0 + 3.0 * 2.0);
         assert!(Aabb::EMPTY.is_empty() && !a.is_empty());
         assert_eq!(Aabb::EMPTY.largest_coordinate(), 0.0);
+    }
+
+    #[test]
+    fn boxes_that_touch_meet_in_a_face_and_others_nowhere() {
+        let unit = Aabb { min: Vec3A::ZERO, max: Vec3A::ONE };
+        let beside = |x: f32| Aabb { min: Vec3A::new(x, 0.5, -1.0), max: Vec3A::splat(3.0) };
+        let face = Aabb { min: Vec3A::new(1.0, 0.5, 0.0), max: Vec3A::ONE };
+        assert_eq!(unit.intersection(beside(1.0)), face);
+        assert_eq!(unit.intersection(beside(2.0)), Aabb::EMPTY);
+        assert_eq!(unit.intersection(Aabb::EMPTY), Aabb::EMPTY);
     }
 }

@@ -1,7 +1,7 @@
 //! The part of a triangle that lies within a box (Sutherland, Hodgman: *Reentrant polygon
 //! clipping*, 1974), in `f64`.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3A};
 use smallvec::SmallVec;
 
 use crate::math::Aabb;
@@ -17,11 +17,46 @@ pub(super) fn area([a, b, c]: [DVec3; 3]) -> f64 {
 /// The area of the part of a triangle within a box. A triangle in the plane of a face is inside,
 /// as it is for rays.
 pub(super) fn area_within(corners: [DVec3; 3], bounds: &Aabb) -> f64 {
-    let (min, max) = (bounds.min.as_dvec3(), bounds.max.as_dvec3());
+    let polygon = part_within(corners, bounds.min.as_dvec3(), bounds.max.as_dvec3());
+    let Some(&first) = polygon.first() else { return 0.0 };
+    let fan = polygon.windows(2).map(|edge| (edge[0] - first).cross(edge[1] - first));
+    0.5 * fan.sum::<DVec3>().length()
+}
+
+/// How far the cuts by six planes move a point, at most, as a share of the largest coordinate: each
+/// cut takes a few roundings of 2⁻⁵³, and may double what the one before it took. It is far below
+/// the 2⁻²⁴ of what is rounded to `f32` in the end.
+const CUT_ERROR: f64 = 1.0 / (1u64 << 40) as f64;
+
+/// A box around the part of a triangle within a box, which it may exceed by rounding.
+///
+/// The planes are moved out by the error of the cuts, so that no point is lost where a plane nearly
+/// runs along an edge, and so is the box of what they leave.
+pub(super) fn bounds_within(corners: [Vec3A; 3], bounds: &Aabb) -> Aabb {
+    let largest = Aabb::of_points(corners).largest_coordinate();
+    let margin = DVec3::splat(f64::from(largest) * CUT_ERROR);
+    let (min, max) = (bounds.min.as_dvec3() - margin, bounds.max.as_dvec3() + margin);
+    let polygon = part_within(corners.map(Vec3A::as_dvec3), min, max);
+    polygon.iter().fold(Aabb::EMPTY, |around, &point| Aabb {
+        min: around.min.min(rounded_down(point - margin)),
+        max: around.max.max(-rounded_down(-point - margin)),
+    })
+}
+
+/// The largest `f32` that are not above some coordinates.
+fn rounded_down(point: DVec3) -> Vec3A {
+    Vec3A::from_array(point.to_array().map(|exact| {
+        let nearest = exact as f32;
+        if f64::from(nearest) > exact { nearest.next_down() } else { nearest }
+    }))
+}
+
+/// The part of a triangle between two corners of a box; a polygon without corners if there is none.
+fn part_within(corners: [DVec3; 3], min: DVec3, max: DVec3) -> Polygon {
     let low = corners[0].min(corners[1]).min(corners[2]);
     let high = corners[0].max(corners[1]).max(corners[2]);
     if !(low.cmple(max).all() && min.cmple(high).all()) {
-        return 0.0;
+        return Polygon::new();
     }
     let mut polygon = Polygon::from_slice(&corners);
     for axis in 0..3 {
@@ -33,9 +68,7 @@ pub(super) fn area_within(corners: [DVec3; 3], bounds: &Aabb) -> f64 {
             polygon = above(&polygon, |p| max[axis] - p[axis]);
         }
     }
-    let Some(&first) = polygon.first() else { return 0.0 };
-    let fan = polygon.windows(2).map(|edge| (edge[0] - first).cross(edge[1] - first));
-    0.5 * fan.sum::<DVec3>().length()
+    polygon
 }
 
 /// The part of a convex polygon in which a linear function is not negative.

@@ -11,6 +11,7 @@ use crate::accel::PackHits;
 use crate::math::{Aabb, Lanes, Lanes3, Ray, UNIT_ROUNDOFF, cross, dot, sub, within};
 
 use super::SurfacePoint;
+use super::clip::bounds_within;
 
 /// The ray's hit on the triangle's plane, times the determinant.
 #[derive(Clone, Copy, Debug)]
@@ -98,8 +99,21 @@ impl Triangle {
     #[inline]
     #[must_use]
     pub fn bounds(&self) -> Aabb {
+        Aabb::of_points(self.corners())
+    }
+
+    /// A box around the part of the stored triangle within a box; empty where there is none. It lies
+    /// within both boxes, and is larger than it must be by rounding alone.
+    #[must_use]
+    pub fn clipped_bounds(&self, to: &Aabb) -> Aabb {
+        let own = self.bounds().intersection(*to);
+        if own.is_empty() { own } else { own.intersection(bounds_within(self.corners(), to)) }
+    }
+
+    #[inline]
+    fn corners(&self) -> [Vec3A; 3] {
         let v0 = Vec3A::from(self.v0);
-        Aabb::of_points([v0, v0 + Vec3A::from(self.e1), v0 + Vec3A::from(self.e2)])
+        [v0, v0 + Vec3A::from(self.e1), v0 + Vec3A::from(self.e2)]
     }
 
     /// The parameter and the barycentric weights of the second and third corner at which a ray hits
@@ -162,7 +176,7 @@ fn clearance(e1: DVec3, e2: DVec3, double_area_recip: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::Mask as _;
+    use crate::math::{Mask as _, Random};
 
     fn hit(origin: [f32; 3], dir: [f32; 3], t: &Triangle) -> Option<(f32, f32, f32)> {
         t.intersect(&Ray::new(origin.into(), dir.into()))
@@ -194,7 +208,7 @@ mod tests {
 
     #[test]
     fn one_triangle_and_four_lanes_give_the_same_bits() {
-        let mut random = crate::math::Random::new(&[17]);
+        let mut random = Random::new(&[17]);
         let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32() - 0.5));
         let mut hits = 0;
         for _ in 0..20_000 {
@@ -214,6 +228,99 @@ mod tests {
             hits += u32::from(lanes.is_some());
         }
         assert!(hits > 100, "{hits}");
+    }
+
+    /// Triangles of all kinds with boxes that cut them: far from the origin, slivers, flat; planes
+    /// anywhere, through a corner, or next to an edge that nearly lies in them.
+    fn cut_triangles() -> impl Iterator<Item = (Triangle, Aabb, Random)> {
+        let mut random = Random::new(&[29]);
+        (0..4_000u32).map(move |number| {
+            let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32() - 0.5));
+            let [a, mut b, mut c] = [point(), point(), point()];
+            match number % 4 {
+                0 => c = a + 1.000_001 * (b - a),
+                1 => b.z = a.z.next_up(),
+                2 => (b.x, c.x) = (a.x, a.x),
+                _ => {}
+            }
+            let far = [0.0, 1.0, 1e4][number as usize / 4 % 3];
+            let corners = [a, b, c].map(|corner| corner + Vec3::new(far, -far, 0.5 * far));
+            let triangle = Triangle::new(corners);
+            let mut to = Aabb::of_points([point(), point()].map(|p| Vec3A::from(p + corners[0])));
+            if number % 5 < 3 {
+                let axis = number as usize % 5;
+                to.max[axis] = corners[1][axis].max(to.min[axis]);
+            }
+            (triangle, to, random.clone())
+        })
+    }
+
+    #[test]
+    fn the_box_of_a_part_holds_every_point_of_it_and_no_more_than_both_boxes() {
+        let (mut inside, mut smaller) = (0, 0);
+        for (triangle, to, mut random) in cut_triangles() {
+            let (own, part) = (triangle.bounds(), triangle.clipped_bounds(&to));
+            let default = own.intersection(to);
+            assert_eq!(part.union(default), default);
+            smaller += u32::from(part != default);
+            let corners = triangle.corners().map(Vec3A::as_dvec3);
+            for _ in 0..50 {
+                let [u, v] = random.next_pair().map(f64::from);
+                let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
+                let point = corners[0] * (1.0 - u - v) + corners[1] * u + corners[2] * v;
+                // Its own rounding does not count.
+                let point = point.clamp(own.min.as_dvec3(), own.max.as_dvec3());
+                let is_in = |bounds: &Aabb| {
+                    let [min, max] = [bounds.min, bounds.max].map(Vec3A::as_dvec3);
+                    min.cmple(point).all() && point.cmple(max).all()
+                };
+                if is_in(&to) {
+                    inside += 1;
+                    assert!(is_in(&part), "{triangle:?} in {to:?}: {point} is not in {part:?}");
+                }
+            }
+        }
+        assert!(inside > 10_000 && smaller > 500, "{inside} {smaller}");
+    }
+
+    #[test]
+    fn the_boxes_of_two_parts_cover_that_of_the_whole() {
+        for (triangle, to, _) in cut_triangles() {
+            let own = triangle.bounds();
+            for (axis, plane) in [(0, to.max.x), (1, to.max.y), (2, to.min.z)] {
+                let plane = plane.clamp(own.min[axis], own.max[axis]);
+                let (mut below, mut above) = (own, own);
+                below.max[axis] = plane;
+                above.min[axis] = plane;
+                let parts = [below, above].map(|half| triangle.clipped_bounds(&half));
+                assert_eq!(parts[0].union(parts[1]), own, "{triangle:?} at {plane}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_box_of_a_part_is_tight() {
+        // In the plane x = y: what lies left of x = 0.25 lies below y = 0.25.
+        let triangle = Triangle::new([Vec3::ZERO, Vec3::ONE, Vec3::new(1.0, 1.0, 0.0)]);
+        let to = Aabb { min: Vec3A::splat(-1.0), max: Vec3A::new(0.25, 2.0, 2.0) };
+        let part = triangle.clipped_bounds(&to);
+        assert_eq!((part.min, part.max.x), (Vec3A::ZERO, 0.25));
+        assert!((part.max - Vec3A::splat(0.25)).abs().max_element() < 1e-7, "{part:?}");
+        // A box that only the triangle's box touches.
+        let corner = Aabb { min: Vec3A::new(0.0, 0.5, 0.0), max: Vec3A::new(0.25, 1.0, 1.0) };
+        assert_eq!(triangle.clipped_bounds(&corner), Aabb::EMPTY);
+    }
+
+    #[test]
+    fn a_part_as_thin_as_a_line_is_not_lost() {
+        // In the plane x = y: where x is at least m and y at most m, a line is left.
+        for (n, m) in (2..60u16).flat_map(|n| (1..n).map(move |m| (f32::from(n), f32::from(m)))) {
+            let corners = [Vec3::ZERO, Vec3::new(n, n, 0.0), Vec3::splat(n)];
+            let to = Aabb { min: Vec3A::new(m, 0.0, 0.0), max: Vec3A::new(n, m, n) };
+            let part = Triangle::new(corners).clipped_bounds(&to);
+            let line = Aabb { min: Vec3A::new(m, m, 0.0), max: Vec3A::splat(m) };
+            assert_eq!(part.union(line), part, "{m} of {n}");
+        }
     }
 
     #[test]

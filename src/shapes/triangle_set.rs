@@ -124,13 +124,13 @@ impl TriangleSet {
         Ok(set)
     }
 
-    /// How many triangles there are.
+    /// How many triangles there are, copies not counted.
     #[must_use]
     pub fn triangle_count(&self) -> u32 {
         self.count
     }
 
-    /// Bytes of the packed triangles.
+    /// Bytes of the packed triangles, copies in several slots included.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         (self.packs.capacity() * size_of::<Pack>()) as u64
@@ -141,6 +141,11 @@ impl TriangleSet {
         let Triangle { v0, e1, e2 } = self.slot(slot).0;
         let v0 = v0.as_dvec3();
         [v0, v0 + e1.as_dvec3(), v0 + e2.as_dvec3()]
+    }
+
+    /// The index in the mesh of the triangle in a slot.
+    pub(super) fn prim(&self, slot: u32) -> u32 {
+        self.slot(slot).1
     }
 
     fn slot(&self, slot: u32) -> (Triangle, u32) {
@@ -170,6 +175,10 @@ impl Bounded for TriangleSet {
 
     fn bounds(&self, index: u32) -> Aabb {
         self.slot(index).0.bounds()
+    }
+
+    fn clipped_bounds(&self, index: u32, to: &Aabb) -> Aabb {
+        self.slot(index).0.clipped_bounds(to)
     }
 
     fn mean_point(&self) -> Vec3A {

@@ -36,7 +36,8 @@ use self::plan::Plan;
 use self::slab_ray::Sides;
 use super::build::obvhs_boxes;
 use super::{
-    Accel, Bounded, Build, Built, PACK, Packs, Primitives, Query, Scratch, Search, Tree, search_one,
+    Accel, Bounded, Build, Built, Order, PACK, Packs, Primitives, Query, Scratch, Search, Tree,
+    search_one,
 };
 
 /// The stack lives with the call up to this height, and on the heap beyond.
@@ -74,7 +75,7 @@ impl Accel for Bvh8 {
         let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
         let need = stack_need(&wide.nodes);
         let accel = Self { nodes: wide.nodes, block: leaves.block, need };
-        Built { accel, order: Some(wide.order) }
+        Built { accel, order: Some(Order::Permutation(wide.order)) }
     }
 
     #[inline]

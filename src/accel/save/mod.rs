@@ -12,7 +12,7 @@ use std::io::{self, Read, Write};
 
 use crate::math::NONE;
 
-use super::{Accel, Bounded, Indexed, Packs, Primitives, order};
+use super::{Accel, Bounded, Indexed, Order, Packs, Primitives};
 
 pub(super) use check::Nodes;
 pub use encoding::{Decoder, Encoder};
@@ -33,7 +33,8 @@ pub struct Slots<'a> {
     pub grain: u32,
 }
 
-/// A structure that can be saved and loaded, together with [`PortablePrimitives`].
+/// A structure that can be saved and loaded, together with [`PortablePrimitives`]. Its order is a
+/// permutation: one that copies primitives ([`Order::References`]) is not read again.
 pub trait Portable: Accel {
     /// The name by which bytes are known to hold this structure; at most 255 bytes.
     const NAME: &'static str;
@@ -142,15 +143,17 @@ impl<P: PortablePrimitives, A: Portable> Indexed<P, A> {
         let slots = input.u32()?;
         let order = input.list(slots, Decoder::u32)?;
         let grain = <P::Packs as Packs>::GRAIN;
-        if let Some(fault) = order::fault(&order, count, grain) {
+        let order = Order::Permutation(order);
+        if let Some(fault) = order.fault(count, grain) {
             return Err(LoadError::invalid(fault));
         }
-        primitives.reorder(&order);
-        let accel = A::read(&primitives, Slots { order: &order, grain }, input)?;
+        let order = order.slots();
+        primitives.reorder(order);
+        let accel = A::read(&primitives, Slots { order, grain }, input)?;
         input.checksum()?;
         if let Some(tree) = accel.tree() {
             let slack = A::SLACK * primitives.padding().largest;
-            check::tree(&tree, &primitives, &order, slack)?;
+            check::tree(&tree, &primitives, order, slack)?;
         }
         Ok(Self::loaded(primitives, accel))
     }
