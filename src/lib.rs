@@ -37,6 +37,7 @@
 //! `ARCHITECTURE.md`; a test holds every `use crate::…` line to that table.
 
 pub mod accel;
+pub mod analysis;
 pub mod assets;
 pub mod cli;
 pub mod compare;

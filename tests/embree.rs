@@ -143,7 +143,7 @@ fn a_comparison_tells_how_many_rays_agree_and_claims_no_equality() {
         assert!(row.classes.iter().all(|class| class.boxes.is_none()));
         assert!(row.classes.iter().all(|class| class.primitives.is_none()));
     }
-    let text = srt::report::terminal::write(&outcome.comparison);
+    let text = srt::report::Report::new(&outcome.comparison).terminal();
     assert!(text.contains("a yardstick: "), "{text}");
 }
 

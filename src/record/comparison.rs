@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::baseline::Baseline;
-use super::{Run, SamplingChapter, SceneRecord, Sweep};
+use super::{Baseline, Run, SamplingChapter, SceneRecord, Sweep};
 
 /// The version of the record: raised when a field changes its meaning or goes away. New fields
 /// that may be absent do not raise it.

@@ -9,21 +9,22 @@
 //! Times are whole nanoseconds in fields that end in `_ns`, memory is bytes, hashes are
 //! hexadecimal. Pictures travel beside the record as files, which it names ([`PictureFile`]).
 
-pub mod baseline;
+mod baseline;
 mod class;
 mod comparison;
-pub mod derived;
+mod estimate;
 mod machine;
 mod proof;
 mod run;
 mod sampling;
 mod scene;
-pub mod statistics;
 mod structure;
 mod sweep;
 
+pub use baseline::{Baseline, Change, Changes};
 pub use class::{ClassRecord, CommonRays, HardwareCounters, RayClass, Round};
 pub use comparison::{Comparison, SCHEMA_VERSION};
+pub use estimate::{Estimate, Interval};
 pub use machine::Machine;
 pub use proof::{Proof, StructureProof, YardstickProof};
 pub use run::{Options, RoundRule, Run};

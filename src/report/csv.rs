@@ -5,12 +5,12 @@
 
 mod sampling;
 
-pub use sampling::write_sampling;
+pub(super) use sampling::write_sampling;
 
+use super::Report;
 use super::numbers::exact;
-use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures};
-use crate::record::statistics::Estimate;
-use crate::record::{Comparison, Memory, SceneRecord, Status, StructureRecord};
+use crate::analysis::{ClassFigures, SceneFigures, StructureFigures};
+use crate::record::{Estimate, Memory, SceneRecord, Status, StructureRecord};
 
 const HEADS: [&str; 37] = [
     "scene",
@@ -53,11 +53,9 @@ const HEADS: [&str; 37] = [
 ];
 
 /// Writes the table. Numbers read back as they are in the JSON's `derived`.
-#[must_use]
-pub fn write(comparison: &Comparison) -> String {
-    let derived = Derived::of(comparison);
+pub(super) fn write(report: &Report<'_>) -> String {
     let mut text = line(HEADS.map(str::to_owned));
-    for (scene, figures) in comparison.scenes.iter().zip(&derived.scenes) {
+    for (scene, figures) in report.comparison.scenes.iter().zip(&report.analysis.scenes) {
         for (structure, own) in scene.structures.iter().zip(&figures.structures) {
             if own.classes.is_empty() {
                 text += &line(row(scene, figures, structure, own, None));

@@ -1,7 +1,8 @@
 //! What a report does not show, and what should be doubted: sentences for every form of report.
 
+use super::Report;
+use crate::analysis::{Analysis, ClassFigures, SceneFigures};
 use crate::record::Comparison;
-use crate::record::derived::{ClassFigures, Derived};
 
 /// How times were taken and what that means, whatever was measured.
 const ALWAYS: [&str; 7] = [
@@ -28,11 +29,12 @@ const ALWAYS: [&str; 7] = [
 ];
 
 /// General limits first, then what is particular to this record.
-pub(super) fn limits(comparison: &Comparison, derived: &Derived) -> Vec<String> {
+pub(super) fn limits(report: &Report<'_>) -> Vec<String> {
+    let Report { comparison, analysis, .. } = report;
     let mut limits: Vec<String> = ALWAYS.map(str::to_owned).to_vec();
     limits.extend(machine_limits(comparison));
-    limits.extend(base_limits(comparison, derived));
-    limits.extend(round_limits(comparison, derived));
+    limits.extend(base_limits(comparison, analysis));
+    limits.extend(round_limits(comparison, analysis));
     limits.extend(comparison.notes.iter().cloned());
     limits
 }
@@ -60,20 +62,20 @@ fn machine_limits(comparison: &Comparison) -> Vec<String> {
     limits
 }
 
-fn base_limits(comparison: &Comparison, derived: &Derived) -> Vec<String> {
-    let other = |scene: &crate::record::derived::SceneFigures| {
+fn base_limits(comparison: &Comparison, analysis: &Analysis) -> Vec<String> {
+    let other = |scene: &SceneFigures| {
         let base = scene.base.as_deref().filter(|base| *base != comparison.base)?;
         Some(format!(
             "{} was not measured in {}; ratios there are to {base}.",
             comparison.base, scene.scene
         ))
     };
-    derived.scenes.iter().filter_map(other).collect()
+    analysis.scenes.iter().filter_map(other).collect()
 }
 
 /// Measurements with too few rounds, or with wide intervals.
-fn round_limits(comparison: &Comparison, derived: &Derived) -> Vec<String> {
-    let classes: Vec<&ClassFigures> = derived
+fn round_limits(comparison: &Comparison, analysis: &Analysis) -> Vec<String> {
+    let classes: Vec<&ClassFigures> = analysis
         .scenes
         .iter()
         .flat_map(|scene| &scene.structures)

@@ -3,7 +3,7 @@
 //! Tables show three or four figures with a unit; CSV and JSON show every figure there is. A
 //! spread `low–high` has the decimals and the unit of the median beside it.
 
-use crate::record::statistics::Estimate;
+use crate::record::Estimate;
 
 /// What stands where there is no number.
 pub(super) const NOTHING: &str = "–";
@@ -132,7 +132,7 @@ pub(super) fn exact(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::statistics::Interval;
+    use crate::record::Interval;
 
     #[test]
     fn three_figures_and_a_unit() {

@@ -2,30 +2,29 @@
 
 use std::fmt::Write;
 
+use super::Report;
 use super::numbers::{self, NOTHING};
 use super::sampling_verdict::sampling_verdict;
 use super::tables;
-use super::verdict::verdict_of;
-use crate::record::baseline::Changes;
-use crate::record::derived::{Derived, SceneFigures, StructureFigures};
-use crate::record::statistics::Estimate;
-use crate::record::{Comparison, RayClass, SceneRecord, Status};
+use super::verdict::verdict;
+use crate::analysis::baseline::{improvements, regressions};
+use crate::analysis::{SceneFigures, StructureFigures};
+use crate::record::{Baseline, Estimate, RayClass, SceneRecord, Status};
 
 /// Million rays a second by class, build, memory and time to the picture of each structure;
 /// then the verdicts.
-#[must_use]
-pub fn write(comparison: &Comparison) -> String {
-    let derived = Derived::of(comparison);
+pub(super) fn write(report: &Report<'_>) -> String {
+    let Report { comparison, analysis, .. } = report;
     let mut text = String::new();
-    for (scene, figures) in comparison.scenes.iter().zip(&derived.scenes) {
+    for (scene, figures) in comparison.scenes.iter().zip(&analysis.scenes) {
         let triangles = numbers::count(scene.triangles);
         let _ = writeln!(text, "{} ({triangles} triangles), million rays a second", scene.name);
         text += &aligned(&scene_rows(scene, figures));
         text.push('\n');
     }
-    text += &verdict_of(comparison, &derived);
+    text += &verdict(report);
     text.push('\n');
-    if let Some(verdict) = sampling_verdict(comparison, &derived) {
+    if let Some(verdict) = sampling_verdict(report) {
         text += &verdict;
         text.push('\n');
     }
@@ -33,14 +32,14 @@ pub fn write(comparison: &Comparison) -> String {
 }
 
 /// What changed against a baseline: each change with its interval, then the doubts.
-#[must_use]
-pub fn write_changes(changes: &Changes, threshold: f64) -> String {
+pub(super) fn write_changes(baseline: &Baseline) -> String {
+    let Baseline { threshold, outcome: changes } = baseline;
     let warnings: String =
         changes.warnings.iter().map(|warning| format!("WARNING: {warning}\n")).collect();
     let mut text = String::new();
     for (word, list) in [
-        ("slower", changes.regressions(threshold).collect::<Vec<_>>()),
-        ("faster", changes.improvements(threshold).collect()),
+        ("slower", regressions(baseline).collect::<Vec<_>>()),
+        ("faster", improvements(baseline).collect()),
     ] {
         for change in list {
             let (times, spread) =
@@ -56,10 +55,12 @@ pub fn write_changes(changes: &Changes, threshold: f64) -> String {
         }
     }
     if text.is_empty() {
-        let percent = numbers::percent(threshold);
+        let percent = numbers::percent(*threshold);
         let n = changes.changes.len();
-        let _ =
-            writeln!(text, "nothing of {n} measurements changed by more than {percent} for sure");
+        let _ = writeln!(
+            text,
+            "none of {n} measurements changed by more than {percent} at 95 % confidence"
+        );
     }
     for doubt in &changes.doubts {
         let _ = writeln!(text, "note: {doubt}");

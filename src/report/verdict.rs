@@ -1,24 +1,15 @@
 //! The comparison in one plain sentence.
 
-use super::numbers;
-use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures, SweepFigures};
+use super::{Report, numbers};
+use crate::analysis::{ClassFigures, SceneFigures, StructureFigures, SweepFigures};
 use crate::record::{Comparison, Proof, RayClass, SceneRecord, Status, StructureRecord};
 
 /// Scenes that are named as not proved; more are counted.
 const NAMED_SCENES: usize = 3;
 
-/// Who is how much faster than whom, at what, how sure that is, and whether the pictures are equal.
-///
-/// It speaks of the first scene with enough rounds, of view rays if there were any, and of the
-/// fastest structure; without scenes, of how cost grows. If anything differs, it says that instead,
-/// because unequal work cannot be compared.
-#[must_use]
-pub fn verdict(comparison: &Comparison) -> String {
-    verdict_of(comparison, &Derived::of(comparison))
-}
-
-pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
-    match headline(comparison, derived) {
+/// The whole sentence: see [`Report::verdict`].
+pub(super) fn verdict(report: &Report<'_>) -> String {
+    match headline(report) {
         (claim, Some(rest)) => format!("{claim}; {rest}"),
         (claim, None) => claim,
     }
@@ -26,20 +17,21 @@ pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
 
 /// The verdict's claim, and what else it says: that the speed is one of equal work, or of how much
 /// that was not shown.
-pub(super) fn headline(comparison: &Comparison, derived: &Derived) -> (String, Option<String>) {
+pub(super) fn headline(report: &Report<'_>) -> (String, Option<String>) {
+    let Report { comparison, analysis, .. } = report;
     let partial = if comparison.run.partial { "Stopped early: " } else { "" };
     if let Some(difference) = difference(comparison) {
         return (format!("{partial}{difference}"), None);
     }
     let alone = comparison.scenes.is_empty();
-    let growth = || derived.sweeps.iter().filter(|_| alone).find_map(growth);
-    let scenes = derived.scenes.iter().zip(&comparison.scenes);
+    let growth = || analysis.sweeps.iter().filter(|_| alone).find_map(growth);
+    let scenes = analysis.scenes.iter().zip(&comparison.scenes);
     let speeds: Vec<_> = scenes.filter_map(|(figures, scene)| speed(figures, scene)).collect();
     let sure = speeds.iter().find(|speed| speed.is_ok()).or(speeds.first()).cloned();
     let speed = sure.map(|speed| speed.unwrap_or_else(|too_few| too_few));
     let speed = speed.or_else(growth).unwrap_or_else(|| {
         let nothing = "no two structures were traced beside each other";
-        if derived.scenes.iter().any(|scene| scene.base.is_some()) {
+        if analysis.scenes.iter().any(|scene| scene.base.is_some()) {
             nothing.to_owned()
         } else {
             "nothing was traced".to_owned()

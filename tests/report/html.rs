@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use srt::report::html;
+use srt::report::Report;
 
 use crate::sample;
 
 /// The page of a record, which is also left where a browser can look at it.
 fn page(name: &str, comparison: &srt::record::Comparison) -> String {
-    let page = html::write(comparison, &sample::pictures(comparison));
+    let page = Report::new(comparison).html(&sample::pictures(comparison));
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report");
     std::fs::create_dir_all(&folder).unwrap();
     std::fs::write(folder.join(format!("{name}.html")), &page).unwrap();
@@ -68,7 +68,7 @@ fn a_record_of_nothing_is_a_page() {
 
 #[test]
 fn a_missing_picture_is_said_to_be_missing() {
-    let page = html::write(&sample::full(), &BTreeMap::new());
+    let page = Report::new(&sample::full()).html(&BTreeMap::new());
     assert!(page.contains("pictures/bunny.png") && page.contains("was not at hand"));
 }
 
@@ -76,5 +76,5 @@ fn a_missing_picture_is_said_to_be_missing() {
 fn one_shape_and_colour_goes_with_each_structure_all_over_the_page() {
     let mut comparison = sample::full();
     comparison.scenes.swap(0, 1);
-    assert!(html::write(&comparison, &BTreeMap::new()).contains("class=\"mark s3\""));
+    assert!(Report::new(&comparison).html(&BTreeMap::new()).contains("class=\"mark s3\""));
 }

@@ -3,12 +3,12 @@
 use maud::Markup;
 
 use super::Page;
-use crate::record::derived::{
-    ClassFigures, Derived, NoiseFigures, Pairing, SceneFigures, StructureFigures, SweepCurve,
+use crate::analysis::statistics::{BreakEven, Cost};
+use crate::analysis::{
+    Analysis, ClassFigures, NoiseFigures, Pairing, SceneFigures, StructureFigures, SweepCurve,
     SweepFigures,
 };
-use crate::record::statistics::{BreakEven, Cost, Estimate};
-use crate::record::{RayClass, SceneRecord};
+use crate::record::{Estimate, RayClass, SceneRecord};
 use crate::report::numbers::{COUNT, TIME};
 use crate::report::plot::{Bars, Dot, Ends, Group, XyPlot, XySeries, dot_plot, histogram};
 
@@ -183,16 +183,16 @@ fn points(page: &Page<'_>, structure: &str, name: String, points: Vec<(f64, f64)
 }
 
 /// The scenes whose noise was measured, in the record's order.
-pub(super) fn noise_scenes(derived: &Derived) -> Vec<&str> {
-    let mut scenes: Vec<&str> = derived.noise.iter().map(|own| own.scene.as_str()).collect();
+pub(super) fn noise_scenes(analysis: &Analysis) -> Vec<&str> {
+    let mut scenes: Vec<&str> = analysis.noise.iter().map(|own| own.scene.as_str()).collect();
     scenes.dedup();
     scenes
 }
 
 /// Noise against time, a line for each method of sampling.
-pub(super) fn noise(derived: &Derived, scene: &str) -> Option<Markup> {
+pub(super) fn noise(analysis: &Analysis, scene: &str) -> Option<Markup> {
     let is_measured = |own: &&NoiseFigures| own.pairing == Pairing::EqualSamples;
-    let measured = || derived.noise.iter().filter(is_measured);
+    let measured = || analysis.noise.iter().filter(is_measured);
     let mut methods: Vec<&str> = Vec::new();
     for own in measured() {
         if !methods.contains(&own.sampling.as_str()) {

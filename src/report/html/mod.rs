@@ -9,39 +9,30 @@ mod pictures;
 mod scene;
 mod table;
 
-use std::collections::BTreeMap;
-
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::limits::limits;
 use super::sampling_verdict::sampling_verdict;
-use super::tables;
 use super::verdict::headline;
-use crate::record::derived::Derived;
+use super::{Pictures, Report, tables};
 use crate::record::{Comparison, Sweep};
 use table::{bare, table};
-
-/// The bytes of the picture files that a record names, by these names.
-pub type Pictures = BTreeMap<String, Vec<u8>>;
 
 const STYLE: &str = include_str!("style.css");
 const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'";
 
 /// What every part of the page is made from.
 struct Page<'a> {
-    comparison: &'a Comparison,
-    derived: Derived,
+    report: &'a Report<'a>,
     pictures: &'a Pictures,
     /// The names of all structures; the place of a name is the number of its marker and colour.
     structures: Vec<&'a str>,
 }
 
-/// Writes the page. Of a picture that is not among `pictures` it says that it is missing.
-#[must_use]
-pub fn write(comparison: &Comparison, pictures: &Pictures) -> String {
-    let derived = Derived::of(comparison);
-    let structures = structures(comparison);
-    let page = Page { comparison, derived, pictures, structures };
+/// Writes the page: see [`Report::html`].
+pub(super) fn write(report: &Report<'_>, pictures: &Pictures) -> String {
+    let structures = structures(report.comparison);
+    let page = Page { report, pictures, structures };
     document(&page).into_string()
 }
 
@@ -67,7 +58,8 @@ impl Page<'_> {
 }
 
 fn document(page: &Page<'_>) -> Markup {
-    let names: Vec<&str> = page.comparison.scenes.iter().map(|scene| scene.name.as_str()).collect();
+    let names: Vec<&str> =
+        page.report.comparison.scenes.iter().map(|scene| scene.name.as_str()).collect();
     html! {
         (DOCTYPE)
         html lang="en" {
@@ -76,7 +68,7 @@ fn document(page: &Page<'_>) -> Markup {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
-                meta name="generator" content=(format!("srt {}", page.comparison.run.version));
+                meta name="generator" content=(format!("srt {}", page.report.comparison.run.version));
                 link rel="icon" href="data:,";
                 title { "srt compares " (names.join(", ")) }
                 style { (PreEscaped(STYLE)) }
@@ -89,7 +81,7 @@ fn document(page: &Page<'_>) -> Markup {
                     (baseline(page))
                     (proof(page))
                     (run(page))
-                    @for (scene, figures) in page.comparison.scenes.iter().zip(&page.derived.scenes) {
+                    @for (scene, figures) in page.report.comparison.scenes.iter().zip(&page.report.analysis.scenes) {
                         (scene::section(page, scene, figures))
                     }
                     (growth(page))
@@ -97,8 +89,8 @@ fn document(page: &Page<'_>) -> Markup {
                     (bias(page))
                 }
                 footer {
-                    "Made by srt " (page.comparison.run.version) " from a record of schema version "
-                    (page.comparison.schema_version) ". The same numbers are in the JSON, CSV and Markdown beside this page."
+                    "Made by srt " (page.report.comparison.run.version) " from a record of schema version "
+                    (page.report.comparison.schema_version) ". The same numbers are in the JSON, CSV and Markdown beside this page."
                 }
             }
         }
@@ -106,11 +98,11 @@ fn document(page: &Page<'_>) -> Markup {
 }
 
 fn head(page: &Page<'_>) -> Markup {
-    let run = &page.comparison.run;
+    let run = &page.report.comparison.run;
     html! {
         p class="kicker" { "srt compares acceleration structures" }
         // An interval stays in one line.
-        @let (claim, rest) = headline(page.comparison, &page.derived);
+        @let (claim, rest) = headline(page.report);
         h1 { (claim.replace('–', "\u{2060}–\u{2060}")) }
         @if let Some(rest) = rest { p class="subtitle" { (rest) } }
         p class="byline" {
@@ -126,7 +118,7 @@ fn head(page: &Page<'_>) -> Markup {
 
 /// Which structure, over all scenes.
 fn overall(page: &Page<'_>) -> Markup {
-    let own = tables::overall_table(page.comparison, &page.derived);
+    let own = tables::overall_table(page.report);
     html! {
         @if !own.rows.is_empty() { section id="overall" { h2 { (own.title) } p class="note" { (own.note) } (bare(&own)) } }
     }
@@ -134,7 +126,7 @@ fn overall(page: &Page<'_>) -> Markup {
 
 fn baseline(page: &Page<'_>) -> Markup {
     html! {
-        @if let Some(baseline) = &page.comparison.baseline {
+        @if let Some(baseline) = &page.report.comparison.baseline {
             @let own = tables::baseline_table(baseline);
             section id="baseline" {
                 h2 { (own.title) }
@@ -147,12 +139,12 @@ fn baseline(page: &Page<'_>) -> Markup {
 }
 
 fn proof(page: &Page<'_>) -> Markup {
-    let scenes = page.comparison.scenes.iter().filter_map(|s| Some((s, s.proof.as_ref()?)));
+    let scenes = page.report.comparison.scenes.iter().filter_map(|s| Some((s, s.proof.as_ref()?)));
     html! {
-        @if !page.comparison.scenes.is_empty() { section id="proof" {
+        @if !page.report.comparison.scenes.is_empty() { section id="proof" {
             h2 { "Proof" }
             p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit. (A yardstick, another program's, need not.) Each scene's chapter has the figures." }
-            (table(&tables::proof_matrix(page.comparison)))
+            (table(&tables::proof_matrix(page.report.comparison)))
             @for (scene, proof) in scenes {
                 @for entry in &proof.structures {
                     @if let Some(difference) = &entry.first_difference {
@@ -160,7 +152,7 @@ fn proof(page: &Page<'_>) -> Markup {
                     }
                 }
             }
-            @for scene in page.comparison.scenes.iter().filter(|scene| scene.proof.is_none()) {
+            @for scene in page.report.comparison.scenes.iter().filter(|scene| scene.proof.is_none()) {
                 p class="warning" { "For " strong { (scene.name) } " there is no proof: its pictures were not compared." }
             }
         } }
@@ -171,9 +163,9 @@ fn run(page: &Page<'_>) -> Markup {
     html! {
         section id="run" {
             h2 { "How it was measured" }
-            pre class="command" tabindex="0" { code { (page.comparison.run.command) } }
+            pre class="command" tabindex="0" { code { (page.report.comparison.run.command) } }
             dl class="facts" {
-                @for (name, value) in tables::facts(page.comparison) {
+                @for (name, value) in tables::facts(page.report.comparison) {
                     div { dt { (name) } dd { (value) } }
                 }
             }
@@ -183,7 +175,7 @@ fn run(page: &Page<'_>) -> Markup {
 
 fn growth(page: &Page<'_>) -> Markup {
     html! {
-        @for (i, (sweep, figures)) in page.comparison.sweeps.iter().zip(&page.derived.sweeps).enumerate() {
+        @for (i, (sweep, figures)) in page.report.comparison.sweeps.iter().zip(&page.report.analysis.sweeps).enumerate() {
             section id=(format!("growth-{i}")) {
                 h2 { "Growth: " (sweep.mesh) }
                 p { "The same family of meshes at growing sizes. Dashed lines are power laws fitted to the medians; their exponents stand beside the names." }
@@ -198,17 +190,17 @@ fn growth(page: &Page<'_>) -> Markup {
 
 fn sampling(page: &Page<'_>) -> Markup {
     html! {
-        @if let Some(chapter) = &page.comparison.sampling {
+        @if let Some(chapter) = &page.report.comparison.sampling {
             section id="sampling" {
                 h2 { "Sampling" }
                 p {
-                    @if let Some(verdict) = sampling_verdict(page.comparison, &page.derived) { (verdict) " " }
+                    @if let Some(verdict) = sampling_verdict(page.report) { (verdict) " " }
                     "The default is " strong { (chapter.default) } "."
                 }
-                @for scene in figures::noise_scenes(&page.derived) {
-                    @if let Some(plot) = figures::noise(&page.derived, scene) { (plot) }
+                @for scene in figures::noise_scenes(&page.report.analysis) {
+                    @if let Some(plot) = figures::noise(&page.report.analysis, scene) { (plot) }
                 }
-                @for own in tables::sampling_tables(chapter, &page.derived) { (table(&own)) }
+                @for own in tables::sampling_tables(chapter, &page.report.analysis) { (table(&own)) }
             }
         }
     }
@@ -218,7 +210,7 @@ fn bias(page: &Page<'_>) -> Markup {
     html! {
         section id="limits" {
             h2 { "Limits and bias" }
-            ul { @for limit in limits(page.comparison, &page.derived) { li { (limit) } } }
+            ul { @for limit in limits(page.report) { li { (limit) } } }
         }
     }
 }

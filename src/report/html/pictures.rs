@@ -5,8 +5,9 @@ use base64::engine::general_purpose::STANDARD;
 use colorous::INFERNO;
 use maud::{Markup, html};
 
-use super::{Page, Pictures};
+use super::Page;
 use crate::record::{HeatScale, PictureFile, SceneRecord, Spacing};
+use crate::report::Pictures;
 use crate::report::numbers::{self, COUNT};
 use crate::report::plot::{Axis, AxisKind, tick_label};
 

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::axis::{Axis, tick_label};
 use super::{WIDTH, at, color, figure, marker};
-use crate::record::statistics::Estimate;
+use crate::record::Estimate;
 use crate::report::numbers;
 
 const ROW: f64 = 19.0;

@@ -1,7 +1,7 @@
 //! The tables of a sweep: cost at each size, and the slopes.
 
 use super::{Cell, Table};
-use crate::record::derived::{SweepCurve, SweepFigures};
+use crate::analysis::{SweepCurve, SweepFigures};
 use crate::record::{Dropped, RayClass, Sweep};
 use crate::report::numbers;
 

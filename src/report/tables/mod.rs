@@ -24,7 +24,8 @@ pub(super) use scene::{
 pub(super) use stages::stage_table;
 
 use super::numbers::{self, NOTHING};
-use crate::record::statistics::{Estimate, INTERVAL_ROUNDS};
+use crate::analysis::statistics::INTERVAL_ROUNDS;
+use crate::record::Estimate;
 
 /// A table with a heading line.
 pub(super) struct Table {

@@ -1,13 +1,14 @@
 //! All scenes at a glance: who is how fast, and where that was proved.
 
 use super::{Cell, Table};
-use crate::record::derived::{Derived, OverallFigures};
+use crate::analysis::OverallFigures;
 use crate::record::{Comparison, RayClass, SceneRecord, Status};
-use crate::report::numbers;
+use crate::report::{Report, numbers};
 
 /// Geometric means over the scenes, a line for each structure; without lines for a single scene.
-pub(in crate::report) fn overall_table(comparison: &Comparison, derived: &Derived) -> Table {
-    let traced = |class: &RayClass| derived.overall.iter().any(|own| own.class == *class);
+pub(in crate::report) fn overall_table(report: &Report<'_>) -> Table {
+    let Report { comparison, analysis, .. } = report;
+    let traced = |class: &RayClass| analysis.overall.iter().any(|own| own.class == *class);
     let classes: Vec<RayClass> = RayClass::ALL.into_iter().filter(traced).collect();
     let heads: Vec<String> = std::iter::once("Structure".to_owned())
         .chain(classes.iter().map(|class| format!("#{}", class.name())))
@@ -23,12 +24,12 @@ pub(in crate::report) fn overall_table(comparison: &Comparison, derived: &Derive
     if comparison.scenes.len() < 2 {
         return table;
     }
-    let mut names: Vec<&str> = derived.overall.iter().map(|own| own.structure.as_str()).collect();
+    let mut names: Vec<&str> = analysis.overall.iter().map(|own| own.structure.as_str()).collect();
     names.dedup();
     let row = |name: &&str| {
         let cell = |class: &RayClass| {
             let is_own = |own: &&OverallFigures| own.structure == *name && own.class == *class;
-            derived.overall.iter().find(is_own).map_or_else(Cell::nothing, |own| Cell {
+            analysis.overall.iter().find(is_own).map_or_else(Cell::nothing, |own| Cell {
                 text: numbers::figures(own.speedup),
                 spread: Some(numbers::things(own.scenes.into(), "scene")),
             })

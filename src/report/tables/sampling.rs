@@ -1,19 +1,19 @@
 //! The tables of the chapter on sampling.
 
 use super::{Cell, Table};
-use crate::record::derived::{Derived, NoiseFigures, OperationFigures, Pairing, ShareFigures};
-use crate::record::statistics::Estimate;
+use crate::analysis::{Analysis, NoiseFigures, OperationFigures, Pairing, ShareFigures};
+use crate::record::Estimate;
 use crate::record::{ConvergedPicture, FramePart, SamplingChapter};
 use crate::report::numbers;
 
 /// Costs, shares of a frame, noise, and what it was measured against.
 pub(in crate::report) fn sampling_tables(
     chapter: &SamplingChapter,
-    derived: &Derived,
+    analysis: &Analysis,
 ) -> Vec<Table> {
     vec![
-        costs(&derived.operations),
-        shares(&chapter.parts, &derived.shares),
+        costs(&analysis.operations),
+        shares(&chapter.parts, &analysis.shares),
         noise(
             "Noise that is left by equal samples",
             "Root of the mean squared difference to a converged picture, in linear units; medians \
@@ -21,7 +21,7 @@ pub(in crate::report) fn sampling_tables(
              thread. In each round both methods trace the same \
              view rays, and the ratio is the median of the rounds' ratios.",
             Pairing::EqualSamples,
-            &derived.noise,
+            &analysis.noise,
         ),
         noise(
             "Noise that is left after equal time",
@@ -30,7 +30,7 @@ pub(in crate::report) fn sampling_tables(
              interpolated between their measured frames, on logarithmic axes. Times beyond these \
              are left out.",
             Pairing::EqualTime,
-            &derived.noise,
+            &analysis.noise,
         ),
         converged(&chapter.converged),
     ]

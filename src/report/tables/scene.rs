@@ -1,8 +1,8 @@
 //! The tables of a scene: proof, structures, rays, time to the picture.
 
 use super::{Cell, Table};
-use crate::record::derived::{ClassFigures, SceneFigures, StructureFigures};
-use crate::record::statistics::BreakEven;
+use crate::analysis::statistics::BreakEven;
+use crate::analysis::{ClassFigures, SceneFigures, StructureFigures};
 use crate::record::{
     Proof, SceneRecord, Shape, Status, StructureProof, StructureRecord, YardstickProof,
 };

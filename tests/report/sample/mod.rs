@@ -5,8 +5,6 @@ mod noise;
 mod pictures;
 mod scenes;
 
-use srt::record::baseline::{Baseline, Change, Changes};
-use srt::record::statistics::{Estimate, Interval};
 use srt::record::*;
 
 pub(crate) use pictures::pictures;

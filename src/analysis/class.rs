@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::record::statistics::{Estimate, estimate, median, million_per_second, paired_ratio};
-use crate::record::{ClassRecord, CommonRays, HardwareCounters, RayClass, Round};
+use super::statistics::{estimate, median, million_per_second, paired_ratio};
+use crate::record::{ClassRecord, CommonRays, Estimate, HardwareCounters, RayClass, Round};
 
 /// What a class of rays took with a structure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -79,7 +79,7 @@ pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> Cl
 }
 
 /// The own time of a ray in nanoseconds, for each round; empty if a round has no rays.
-pub(in crate::record) fn own_ns_per_ray(rounds: &[Round], rays: u64) -> Vec<f64> {
+pub(super) fn own_ns_per_ray(rounds: &[Round], rays: u64) -> Vec<f64> {
     if rays == 0 {
         return Vec::new();
     }

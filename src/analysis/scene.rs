@@ -3,10 +3,8 @@
 use serde::Serialize;
 
 use super::class::{ClassFigures, class_figures, quotient};
-use crate::record::statistics::{
-    BreakEven, Cost, Estimate, break_even, estimate, paired_ratio, pareto_front,
-};
-use crate::record::{PictureRound, RayClass, SceneRecord, StructureRecord};
+use super::statistics::{BreakEven, Cost, break_even, estimate, paired_ratio, pareto_front};
+use crate::record::{Estimate, PictureRound, RayClass, SceneRecord, StructureRecord};
 
 /// The classes of which a picture is made; only these count into a structure's mean ray.
 const PICTURE_CLASSES: [RayClass; 4] =

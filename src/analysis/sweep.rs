@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::class::own_ns_per_ray;
-use crate::record::statistics::{Estimate, PowerLaw, estimate, log_log_fit};
-use crate::record::{RayClass, Sweep, SweepPoint};
+use super::statistics::{PowerLaw, estimate, log_log_fit};
+use crate::record::{Estimate, RayClass, Sweep, SweepPoint};
 
 /// How cost grows over a family of meshes.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -1,9 +1,9 @@
 //! How many times as fast: ratios with intervals.
 
 use super::estimate::{
-    Estimate, INTERVAL_ROUNDS, RESAMPLES, all_finite, draw, estimate, median, median_of, quantiles,
-    random,
+    INTERVAL_ROUNDS, RESAMPLES, all_finite, draw, estimate, median, median_of, quantiles, random,
 };
+use crate::record::Estimate;
 
 /// The median of `base[n] / own[n]`: how many times as fast the own is as the base.
 ///
@@ -42,8 +42,8 @@ pub fn unpaired_ratio(base: &[f64], own: &[f64]) -> Option<Estimate> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Interval;
     use super::*;
+    use crate::record::Interval;
 
     #[test]
     fn what_slows_both_leaves_the_paired_ratio_alone() {

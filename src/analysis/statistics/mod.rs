@@ -10,7 +10,7 @@ mod interpolate;
 mod ratio;
 mod tradeoff;
 
-pub use estimate::{Estimate, INTERVAL_ROUNDS, Interval, RESAMPLES, estimate, median};
+pub use estimate::{INTERVAL_ROUNDS, RESAMPLES, estimate, median};
 pub use growth::{PowerLaw, log_log_fit};
 pub use interpolate::log_log_interpolate;
 pub use ratio::{paired_ratio, unpaired_ratio};

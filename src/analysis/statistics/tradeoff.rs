@@ -1,6 +1,6 @@
 //! Build time against tracing time: who pays, and from when on?
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// Millions of things a second. `None` if they took no time.
 #[must_use]
@@ -19,7 +19,7 @@ pub struct Cost {
 }
 
 /// From when on a structure is ahead of another.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "when", rename_all = "snake_case")]
 pub enum BreakEven {
     /// From the first ray on: neither its build nor its rays cost more.

@@ -5,8 +5,8 @@
 
 use serde::Serialize;
 
-use crate::record::NoisePoint;
-use crate::record::statistics::{Estimate, estimate, log_log_interpolate, paired_ratio};
+use super::statistics::{estimate, log_log_interpolate, paired_ratio};
+use crate::record::{Estimate, NoisePoint};
 
 /// The method that others are compared with.
 const BASE: &str = "independent";

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::class::quotient;
-use crate::record::OperationCost;
-use crate::record::statistics::{Estimate, estimate};
+use super::statistics::estimate;
+use crate::record::{Estimate, OperationCost};
 
 /// What an operation costs.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::OperationFigures;
 use super::class::quotient;
-use crate::record::statistics::median;
+use super::statistics::median;
 use crate::record::{FramePart, SamplingChapter};
 
 /// A part of the time that a frame takes.

@@ -1,8 +1,7 @@
 //! The median of some rounds, and how sure it is.
 
-use serde::{Deserialize, Serialize};
-
 use crate::math::Random;
+use crate::record::{Estimate, Interval};
 
 /// Resamples of a bootstrap.
 pub const RESAMPLES: usize = 2_000;
@@ -12,46 +11,6 @@ pub const RESAMPLES: usize = 2_000;
 pub const INTERVAL_ROUNDS: usize = 6;
 
 const SEED: u64 = 0x0062_6f6f_7473_7472;
-
-/// A 95 % interval.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Interval {
-    /// What is below with at most 2.5 %.
-    pub low: f64,
-    /// What is above with at most 2.5 %.
-    pub high: f64,
-}
-
-/// A median and its interval.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Estimate {
-    /// The median.
-    pub median: f64,
-    /// The 95 % interval of the median; absent for fewer than [`INTERVAL_ROUNDS`] values.
-    pub interval: Option<Interval>,
-    /// How many values there were.
-    pub rounds: usize,
-}
-
-impl Estimate {
-    /// Half the interval's width, as a share of the median.
-    #[must_use]
-    pub fn relative_half_width(&self) -> Option<f64> {
-        let interval = self.interval?;
-        (self.median != 0.0).then(|| (interval.high - interval.low) / 2.0 / self.median.abs())
-    }
-
-    /// The estimate of a monotone function of what was estimated: medians and quantiles go through
-    /// it as they are.
-    #[must_use]
-    pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
-        let interval = self.interval.map(|interval| {
-            let (a, b) = (f(interval.low), f(interval.high));
-            Interval { low: a.min(b), high: a.max(b) }
-        });
-        Self { median: f(self.median), interval, rounds: self.rounds }
-    }
-}
 
 /// The middle value; of an even number of values, the mean of the two in the middle. `None` of no
 /// values, or if one is not finite.
@@ -179,13 +138,5 @@ mod tests {
     fn the_same_rounds_give_the_same_interval() {
         let values: Vec<f64> = (0..30).map(|i| f64::from(i * i % 17)).collect();
         assert_eq!(estimate(&values), estimate(&values));
-    }
-
-    #[test]
-    fn a_falling_function_turns_the_interval_round() {
-        let interval = Some(Interval { low: 2.0, high: 5.0 });
-        let inverse = Estimate { median: 4.0, interval, rounds: 9 }.map(|x| 1.0 / x);
-        assert_eq!(inverse.interval, Some(Interval { low: 0.2, high: 0.5 }));
-        assert_eq!((inverse.median, inverse.rounds), (0.25, 9));
     }
 }
