@@ -71,10 +71,3 @@ fn a_missing_picture_is_said_to_be_missing() {
     let page = Report::new(&sample::full()).html(&BTreeMap::new());
     assert!(page.contains("pictures/bunny.png") && page.contains("was not at hand"));
 }
-
-#[test]
-fn one_shape_and_colour_goes_with_each_structure_all_over_the_page() {
-    let mut comparison = sample::full();
-    comparison.scenes.swap(0, 1);
-    assert!(Report::new(&comparison).html(&BTreeMap::new()).contains("class=\"mark s3\""));
-}

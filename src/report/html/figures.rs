@@ -10,7 +10,7 @@ use crate::analysis::{
 };
 use crate::record::{Estimate, RayClass, SceneRecord};
 use crate::report::numbers::{COUNT, TIME};
-use crate::report::plot::{Bars, Dot, Ends, Group, XyPlot, XySeries, dot_plot, histogram};
+use crate::report::plot::{Bars, Dot, DotGroup, Ends, Look, XyPlot, XySeries, dot_plot, histogram};
 
 /// How many times as fast as the base each structure is, by class.
 pub(super) fn speedups(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
@@ -40,15 +40,15 @@ fn groups(
     page: &Page<'_>,
     scene: &SceneFigures,
     value: impl Fn(&StructureFigures, &ClassFigures) -> Option<Estimate>,
-) -> Vec<Group> {
+) -> Vec<DotGroup> {
     let dot = |structure: &StructureFigures, class: RayClass| {
         Some(Dot {
-            series: page.series(&structure.structure),
+            look: page.looks.get(&structure.structure),
             name: structure.structure.clone(),
             value: value(structure, structure.class(class)?)?,
         })
     };
-    let group = |class: RayClass| Group {
+    let group = |class: RayClass| DotGroup {
         name: format!("{} rays", class.name()),
         dots: scene.structures.iter().filter_map(|s| dot(s, class)).collect(),
     };
@@ -112,13 +112,13 @@ pub(super) fn break_even(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup
         (0..=60).map(|i| (at(i), total(cost, at(i)))).collect()
     };
     let series = costs.iter().map(|(structure, cost)| XySeries {
-        series: page.series(&structure.structure),
+        look: page.looks.get(&structure.structure),
         name: structure.structure.clone(),
-        // A marker at the end, so that colour alone does not tell the lines apart.
+        // A marker at the end, so that lines do not differ by colour alone.
         points: vec![(last, total(*cost, last))],
         intervals: vec![None],
         line: line(*cost),
-        dashed: false,
+        fit: false,
     });
     XyPlot {
         title: format!("{}: when a dearer build pays", scene.scene),
@@ -162,23 +162,23 @@ fn curve_series(page: &Page<'_>, curve: &SweepCurve) -> XySeries {
     let ns = || curve.values.iter().map(|value| value.ns_per_ray);
     let slope = curve.fit.map(|fit| format!(", slope {:.2}", fit.slope)).unwrap_or_default();
     XySeries {
-        series: page.series(&curve.structure),
+        look: page.looks.get(&curve.structure),
         name: format!("{}{slope}", curve.structure),
         points: sizes().zip(ns().map(|estimate| estimate.median)).collect(),
         intervals: ns().map(|estimate| estimate.interval.map(|i| (i.low, i.high))).collect(),
         line: curve.fit.map_or_else(Vec::new, |fit| sizes().map(|n| (n, fit.at(n))).collect()),
-        dashed: true,
+        fit: true,
     }
 }
 
 fn points(page: &Page<'_>, structure: &str, name: String, points: Vec<(f64, f64)>) -> XySeries {
     XySeries {
-        series: page.series(structure),
+        look: page.looks.get(structure),
         name,
         intervals: vec![None; points.len()],
         points,
         line: Vec::new(),
-        dashed: false,
+        fit: false,
     }
 }
 
@@ -204,12 +204,12 @@ pub(super) fn noise(analysis: &Analysis, scene: &str) -> Option<Markup> {
         let own: Vec<&NoiseFigures> = own.collect();
         let points: Vec<_> = own.iter().map(|own| (own.ns.median, own.rmse.median)).collect();
         XySeries {
-            series: number,
+            look: Look::of_series(number),
             name: method.to_owned(),
             intervals: own.iter().map(|own| own.rmse.interval.map(|i| (i.low, i.high))).collect(),
             line: points.clone(),
             points,
-            dashed: false,
+            fit: false,
         }
     });
     XyPlot {
@@ -235,7 +235,7 @@ pub(super) fn leaves(page: &Page<'_>, scene: &SceneRecord) -> Option<Markup> {
         .filter_map(|structure| Some((structure, structure.shape.as_ref()?)))
         .filter(|(_, shape)| shape.leaves > 1)
         .map(|(structure, shape)| Bars {
-            series: page.series(&structure.name),
+            look: page.looks.get(&structure.name),
             name: structure.name.clone(),
             counts: shape.leaf_sizes.clone(),
         })

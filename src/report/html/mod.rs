@@ -12,6 +12,7 @@ mod table;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::limits::limits;
+use super::plot::Looks;
 use super::sampling_verdict::sampling_verdict;
 use super::verdict::headline;
 use super::{Pictures, Report, tables};
@@ -25,36 +26,21 @@ const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inlin
 struct Page<'a> {
     report: &'a Report<'a>,
     pictures: &'a Pictures,
-    /// The names of all structures; the place of a name is the number of its marker and colour.
-    structures: Vec<&'a str>,
+    looks: Looks,
 }
 
 /// Writes the page: see [`Report::html`].
 pub(super) fn write(report: &Report<'_>, pictures: &Pictures) -> String {
-    let structures = structures(report.comparison);
-    let page = Page { report, pictures, structures };
+    let looks = Looks::of(structures(report.comparison));
+    let page = Page { report, pictures, looks };
     document(&page).into_string()
 }
 
-/// All structures, by first appearance.
-fn structures(comparison: &Comparison) -> Vec<&str> {
+/// The structures of all scenes and sweeps, some of them several times.
+fn structures(comparison: &Comparison) -> impl Iterator<Item = &str> {
     let scenes = comparison.scenes.iter().flat_map(|scene| &scene.structures);
     let points = comparison.sweeps.iter().flat_map(|sweep: &Sweep| &sweep.points);
-    let mut names: Vec<&str> = Vec::new();
-    let all = scenes.map(|s| s.name.as_str()).chain(points.map(|p| p.structure.as_str()));
-    for name in all {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    names
-}
-
-impl Page<'_> {
-    /// The number of a structure, for its marker and colour.
-    fn series(&self, structure: &str) -> usize {
-        self.structures.iter().position(|name| *name == structure).unwrap_or_default()
-    }
+    scenes.map(|s| s.name.as_str()).chain(points.map(|p| p.structure.as_str()))
 }
 
 fn document(page: &Page<'_>) -> Markup {

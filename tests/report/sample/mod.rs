@@ -85,6 +85,23 @@ fn baseline() -> Baseline {
     }
 }
 
+/// A scene and a sweep with structures of these names.
+pub(crate) fn with_structures<'a>(names: impl IntoIterator<Item = &'a str>) -> Comparison {
+    let mut comparison = full();
+    comparison.scenes.truncate(1);
+    let (scene, sweep) = (&mut comparison.scenes[0], &mut comparison.sweeps[0]);
+    let row = scene.structures.remove(2);
+    let mut points = std::mem::take(&mut sweep.points);
+    points.retain(|point| point.structure == row.name);
+    scene.structures.clear();
+    for name in names {
+        scene.structures.push(StructureRecord { name: name.to_owned(), ..row.clone() });
+        let own = |point: &SweepPoint| SweepPoint { structure: name.to_owned(), ..point.clone() };
+        sweep.points.extend(points.iter().map(own));
+    }
+    comparison
+}
+
 /// A run in which nothing was measured.
 pub(crate) fn minimal() -> Comparison {
     Comparison::new(Run::default(), "none")
