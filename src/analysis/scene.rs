@@ -6,10 +6,6 @@ use super::class::{ClassFigures, class_figures, quotient};
 use super::statistics::{BreakEven, Cost, break_even, estimate, paired_ratio, pareto_front};
 use crate::record::{Estimate, PictureRound, RayClass, SceneRecord, StructureRecord};
 
-/// The classes of which a picture is made; only these count into a structure's mean ray.
-const PICTURE_CLASSES: [RayClass; 4] =
-    [RayClass::View, RayClass::Shadow, RayClass::Mirror, RayClass::Refraction];
-
 /// What all structures did with a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SceneFigures {
@@ -121,7 +117,7 @@ impl StructureFigures {
     fn is_sure(&self) -> bool {
         let build = self.build_all_threads_ns.or(self.build_one_thread_ns);
         let has_interval = |estimate: &Estimate| estimate.interval.is_some();
-        let of_picture = self.classes.iter().filter(|c| PICTURE_CLASSES.contains(&c.class));
+        let of_picture = self.classes.iter().filter(|c| RayClass::RENDERED.contains(&c.class));
         build.as_ref().is_some_and(has_interval)
             && of_picture.map(|c| c.ns_per_ray).all(|e| e.as_ref().is_some_and(has_interval))
     }
@@ -172,7 +168,7 @@ fn compare_costs(structures: &mut [StructureFigures], base: Option<&StructureRec
 /// The mean over the picture's rays of their classes' medians; `None` if one is missing.
 fn mean_ray_ns(classes: &[ClassFigures]) -> Option<f64> {
     let (mut ns, mut rays) = (0.0, 0.0);
-    for class in classes.iter().filter(|c| c.rays > 0 && PICTURE_CLASSES.contains(&c.class)) {
+    for class in classes.iter().filter(|c| c.rays > 0 && RayClass::RENDERED.contains(&c.class)) {
         ns += class.ns_per_ray?.median * class.rays as f64;
         rays += class.rays as f64;
     }

@@ -27,6 +27,8 @@ pub use color_map::{Scale, Spacing, heat_picture};
 pub use light_samples::{Dealt, LightSamples};
 pub use observer::{Observer, Silent};
 pub use settings::{Crop, Sampling, Settings, View};
-pub use stats::{ClassStats, RayClass, RenderStats};
+pub use stats::{ClassStats, RenderStats};
 pub use tiles::{Rendering, Sight, render};
 pub use times::{Stage, StageTimes};
+
+pub use crate::record::RayClass;

@@ -122,7 +122,7 @@ mod tests {
     const STYLE: &str = include_str!("../html/style.css");
 
     fn names(count: usize) -> Vec<String> {
-        let others = (0..).map(|n| format!("structure-{n}"));
+        let others = (0..).map(|n| format!("bvh8:builder={n}"));
         FIXED.iter().map(|&name| name.to_owned()).chain(others).take(count).collect()
     }
 
@@ -160,7 +160,7 @@ mod tests {
             let alone = Looks::of([name.as_str()]).get(name);
             let has_twin = |other: &&String| slot(other) == slot(name) && *other != name;
             let twins: Vec<&String> = names[FIXED.len()..].iter().filter(has_twin).collect();
-            let is_first = twins.iter().all(|twin| name < twin);
+            let is_first = twins.iter().all(|twin| name < *twin);
             assert_eq!(all.get(name) == alone, is_first, "{name}");
             kept += usize::from(is_first);
         }
