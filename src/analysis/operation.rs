@@ -1,4 +1,4 @@
-//! Figures of operations that are done very often.
+//! Figures of operations that a frame performs very often.
 
 use serde::Serialize;
 
@@ -6,12 +6,12 @@ use super::class::quotient;
 use super::statistics::estimate;
 use crate::record::{Estimate, OperationCost};
 
-/// What an operation costs.
+/// The cost of an operation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OperationFigures {
-    /// What it is.
+    /// The operation.
     pub operation: String,
-    /// Processor time of doing it once, in nanoseconds.
+    /// Processor time of one operation, in nanoseconds.
     pub ns: Option<Estimate>,
 }
 

@@ -17,8 +17,8 @@ pub struct ClassRecord {
     pub boxes: Option<u64>,
     /// Primitive tests of all rays of a round; absent if they were not counted.
     pub primitives: Option<u64>,
-    /// The rounds, in the order of measurement. Rounds are interleaved: round n of all structures was measured together,
-    /// so ratios are taken between rounds of the same number.
+    /// The rounds, in the order of measurement. Rounds are interleaved: round n of all structures was measured
+    /// together, so ratios are taken between rounds of the same number.
     pub rounds: Vec<Round>,
     /// The rays that both this structure and the base traced, if one of them traced more than the other; absent if they
     /// traced the same rays, and in older records.
@@ -26,8 +26,8 @@ pub struct ClassRecord {
     pub common: Option<CommonRays>,
 }
 
-/// Rays that both a structure and the base traced. A ratio needs equal rays: other rays meet other parts of a scene, and
-/// a sparser sample shares less of the caches.
+/// Rays that both a structure and the base traced. A ratio needs equal rays: other rays meet other parts of a scene,
+/// and a sparser sample shares less of the caches.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct CommonRays {
     /// How many rays there are.

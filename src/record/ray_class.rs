@@ -25,7 +25,7 @@ impl RayClass {
     pub const ALL: [Self; 6] =
         [Self::View, Self::Shadow, Self::Mirror, Self::Refraction, Self::Diffuse, Self::Random];
 
-    /// The classes that a rendering sends, in the same order.
+    /// The classes that a rendering sends: the first of [`ALL`](Self::ALL).
     pub const RENDERED: [Self; 4] = [Self::View, Self::Shadow, Self::Mirror, Self::Refraction];
 
     /// The name in reports, as in the record.

@@ -23,7 +23,7 @@ mod times;
 mod view_rays;
 mod views;
 
-pub use color_map::{Scale, Spacing, heat_picture};
+pub use color_map::{Scale, heat_picture};
 pub use light_samples::{Dealt, LightSamples};
 pub use observer::{Observer, Silent};
 pub use settings::{Crop, Sampling, Settings, View};
@@ -31,4 +31,4 @@ pub use stats::{ClassStats, RenderStats};
 pub use tiles::{Rendering, Sight, render};
 pub use times::{Stage, StageTimes};
 
-pub use crate::record::RayClass;
+pub use crate::record::{RayClass, Spacing};

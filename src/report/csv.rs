@@ -1,7 +1,7 @@
-//! Record → CSV: a line for each scene, structure and class of rays, with every figure there is.
+//! Record → CSV: a line for each scene, structure and class of rays, with numbers in full precision.
 //!
-//! By RFC 4180, with a heading line. A structure that traced nothing has one line with an empty
-//! class, so that it is not missing.
+//! The form is that of RFC 4180 with a heading line. A structure that traced nothing has one line with an empty class,
+//! so that it is not missing.
 
 mod sampling;
 
@@ -52,7 +52,7 @@ const HEADS: [&str; 37] = [
     "picture_rounds",
 ];
 
-/// Writes the table. Numbers read back as they are in the JSON's `derived`.
+/// Writes the table. Its numbers read back equal to those in the JSON's `derived`.
 pub(super) fn write(report: &Report<'_>) -> String {
     let mut text = line(HEADS.map(str::to_owned));
     for (scene, figures) in report.comparison.scenes.iter().zip(&report.analysis.scenes) {
@@ -124,7 +124,7 @@ fn row(
     ]
 }
 
-/// A status in one word, as in the JSON.
+/// A status as in the JSON.
 fn status(status: &Status) -> &'static str {
     match status {
         Status::Ok => "ok",

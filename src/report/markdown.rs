@@ -1,4 +1,4 @@
-//! Record → Markdown: verdict, proof, tables, for places where a page of HTML cannot go.
+//! Record → Markdown: verdict, proof and tables, for places that do not show HTML.
 
 use std::fmt::Write;
 
@@ -98,7 +98,7 @@ fn add_run(comparison: &Comparison, text: &mut String) {
     }
 }
 
-/// A table under its title; without lines, nothing.
+/// A table under its title; nothing without rows.
 fn add_table(table: &Table, text: &mut String) {
     if table.rows.is_empty() {
         return;
@@ -125,7 +125,7 @@ fn cell(cell: &Cell) -> String {
     }
 }
 
-/// Text in which Markdown sees no markup.
+/// Text without Markdown markup.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,12 +1,12 @@
-//! The chapter on sampling in one plain sentence.
+//! The chapter on sampling in one sentence.
 
 use super::{Report, numbers};
 use crate::analysis::statistics::median;
 use crate::analysis::{Analysis, NoiseFigures, Pairing};
 use crate::record::SamplingChapter;
 
-/// How much noise a method leaves beside the other, and what sampling takes of a frame; over
-/// several scenes, the medians. `None` without frames.
+/// The noise of a method relative to `independent`, and its share of a frame; the medians over several scenes. `None`
+/// without frames.
 pub(super) fn sampling_verdict(report: &Report<'_>) -> Option<String> {
     let Report { comparison, analysis, .. } = report;
     let chapter = comparison.sampling.as_ref()?;

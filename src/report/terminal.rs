@@ -1,4 +1,4 @@
-//! Record → text for a terminal: one aligned table a scene, and the verdict.
+//! Record → text for a terminal: an aligned table for each scene, and the verdict.
 
 use std::fmt::Write;
 
@@ -11,14 +11,13 @@ use crate::analysis::baseline::{improvements, regressions};
 use crate::analysis::{SceneFigures, StructureFigures};
 use crate::record::{Baseline, Estimate, RayClass, SceneRecord, Status};
 
-/// Million rays a second by class, build, memory and time to the picture of each structure;
-/// then the verdicts.
+/// Million rays per second by class, build, memory and time to the picture of each structure; then the verdicts.
 pub(super) fn write(report: &Report<'_>) -> String {
     let Report { comparison, analysis, .. } = report;
     let mut text = String::new();
     for (scene, figures) in comparison.scenes.iter().zip(&analysis.scenes) {
         let triangles = numbers::count(scene.triangles);
-        let _ = writeln!(text, "{} ({triangles} triangles), million rays a second", scene.name);
+        let _ = writeln!(text, "{} ({triangles} triangles), million rays per second", scene.name);
         text += &aligned(&scene_rows(scene, figures));
         text.push('\n');
     }
@@ -31,7 +30,7 @@ pub(super) fn write(report: &Report<'_>) -> String {
     text
 }
 
-/// What changed against a baseline: each change with its interval, then the doubts.
+/// What changed against a baseline: warnings, each change with its interval, then the doubts.
 pub(super) fn write_changes(baseline: &Baseline) -> String {
     let Baseline { threshold, outcome: changes } = baseline;
     let warnings: String =
@@ -97,21 +96,21 @@ fn speedup(own: &StructureFigures, class: RayClass) -> Option<String> {
     own.class(class)?.speedup.map(numbers::median)
 }
 
-/// Whether the answers are equal, or what went wrong.
+/// Whether the results are equal, or what went wrong.
 fn remark(scene: &SceneRecord, structure: &str, status: &Status) -> String {
     let proof = scene.proof.as_ref();
-    let yardstick = proof.and_then(|proof| proof.yardstick(structure));
-    let alone = proof.is_some_and(|proof| proof.structures.len() + proof.yardsticks.len() == 1);
+    let peer = proof.and_then(|proof| proof.peer(structure));
+    let is_only = proof.is_some_and(|proof| proof.structures.len() + proof.peers.len() == 1);
     let proof = proof.and_then(|proof| proof.structure(structure));
     match (status, proof) {
         (Status::Failed { message }, _) => format!("failed: {message}"),
         (Status::TooSlow { .. }, _) => "too slow".to_owned(),
         (_, Some(entry)) if !entry.holds() => "DIFFERS".to_owned(),
         (Status::Stopped, _) => "stopped".to_owned(),
-        (Status::Ok, Some(_)) if alone => "reference".to_owned(),
+        (Status::Ok, Some(_)) if is_only => "reference".to_owned(),
         (Status::Ok, Some(entry)) if entry.picture_equal == Some(true) => "equal".to_owned(),
         (Status::Ok, Some(entry)) if entry.rays_checked > 0 => "hits equal".to_owned(),
-        (Status::Ok, _) => yardstick.map_or_else(|| NOTHING.to_owned(), tables::agreement),
+        (Status::Ok, _) => peer.map_or_else(|| NOTHING.to_owned(), tables::agreement),
     }
 }
 
@@ -119,8 +118,7 @@ fn or_dash(text: Option<String>) -> String {
     text.unwrap_or_else(|| NOTHING.to_owned())
 }
 
-/// Columns as wide as their widest cell: the first and the last from the left, the others from the
-/// right.
+/// Columns as wide as their widest cell. The first and the last are aligned left, the others right.
 fn aligned(rows: &[Vec<String>]) -> String {
     let columns = rows.first().map_or(0, Vec::len);
     let width = |column: usize| {

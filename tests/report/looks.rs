@@ -2,10 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use srt::report::{Pictures, Report};
 use srt::scene::STRUCTURES;
 
-use crate::sample;
+use crate::{html, sample};
 
 /// The built-in structures, the peers, and others up to so many.
 fn names(count: usize) -> Vec<String> {
@@ -17,7 +16,7 @@ fn names(count: usize) -> Vec<String> {
 
 fn page(names: &[String]) -> String {
     let comparison = sample::with_structures(names.iter().map(String::as_str));
-    Report::new(&comparison).html(&Pictures::new())
+    html::page(&format!("structures-{}", names.len()), &comparison)
 }
 
 /// The colours and shapes of the markers beside each structure's name, over all plots of a page.

@@ -1,4 +1,4 @@
-//! Markdown, CSV, HTML and JSON say the same numbers.
+//! Markdown, CSV, HTML and JSON have the same numbers.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -140,8 +140,12 @@ fn the_stages_of_builds_are_those_of_the_record() {
                 let (share, _) = printed(row[3].strip_suffix("\u{a0}%").unwrap());
                 shares += share;
             }
-            let told = !structure.build.stages.is_empty();
-            assert!(!told || (shares - 100.0_f64).abs() < 0.3, "{shares} % of {}", structure.name);
+            let has_stages = !structure.build.stages.is_empty();
+            assert!(
+                !has_stages || (shares - 100.0_f64).abs() < 0.3,
+                "{shares} % of {}",
+                structure.name
+            );
         }
         assert_eq!(rows.next(), None);
     }

@@ -1,5 +1,4 @@
-//! The chapter on sampling: Markdown and CSV say the numbers of the JSON. That HTML has Markdown's
-//! tables is shown for all chapters at once.
+//! The chapter on sampling: Markdown and CSV have the numbers of the JSON. `same_numbers` compares HTML and Markdown.
 
 use std::collections::HashMap;
 

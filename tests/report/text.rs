@@ -1,4 +1,4 @@
-//! The verdict, the terminal's table, and what Markdown says beside its tables.
+//! The verdict, the terminal's table, and Markdown's sentences.
 
 use srt::analysis::{Analysis, OverallFigures};
 use srt::record::{RayClass, Status};
@@ -7,17 +7,17 @@ use srt::report::{Pictures, Report};
 use crate::sample;
 
 #[test]
-fn the_verdict_is_one_plain_sentence() {
+fn the_verdict_is_one_sentence() {
     assert_eq!(
         Report::new(&sample::full()).verdict(),
         "bvh traces view rays of bunny 431\u{a0}× (95\u{a0}%\u{a0}428–433) as fast as none; \
-         1 of 2 pictures proved equal bit for bit, 1 not compared whole: hall (no picture from \
+         1 of 2 pictures proved equal bit for bit, 1 not compared in full: hall (no picture from \
          none)."
     );
     assert_eq!(
         Report::new(&sample::partial()).verdict(),
-        "Stopped early: THE ANSWERS DIFFER: cwbvh disagrees with none on bunny in 12 pixels and \
-         3 hits, so its speed means nothing."
+        "Stopped early: RESULTS DIFFER: cwbvh disagrees with none on bunny in 12 pixels and 3 hits, \
+         so its speed cannot be compared."
     );
     assert_eq!(
         Report::new(&sample::minimal()).verdict(),
@@ -34,7 +34,7 @@ fn the_verdict_of_few_rounds_claims_no_interval() {
         structure.classes[0].rounds.truncate(2);
     }
     let text = Report::new(&comparison).verdict();
-    assert!(text.starts_with("too few rounds were made in bunny to say which is"), "{text}");
+    assert!(text.starts_with("bunny has too few rounds for intervals;"), "{text}");
     assert!(text.ends_with("; no pictures were compared."), "{text}");
 }
 
@@ -58,15 +58,15 @@ fn what_failed_in_a_sweep_is_named_and_has_a_row() {
     sweep.points.retain(|point| point.structure != "ball");
     sweep.dropped[1].failed = true;
     sweep.dropped[1].triangles = 1_000;
-    sweep.dropped[1].reason = "its answers differ: a ray".to_owned();
-    let failed = "ball FAILED in the sweep, in hall with 1.00\u{a0}k triangles: its answers \
+    sweep.dropped[1].reason = "its results differ: a ray".to_owned();
+    let failed = "ball FAILED in the sweep, in hall with 1.00\u{a0}k triangles: its results \
                   differ: a ray; bvh traces view rays of bunny";
     assert!(
         Report::new(&comparison).verdict().starts_with(failed),
         "{}",
         Report::new(&comparison).verdict()
     );
-    let row = "| – | ball | – | – | 0 | at 1.00\u{a0}k triangles: its answers differ: a ray |";
+    let row = "| – | ball | – | – | 0 | at 1.00\u{a0}k triangles: its results differ: a ray |";
     let text = Report::new(&comparison).markdown();
     assert!(text.contains(row), "{text}");
     comparison.scenes.clear();
@@ -74,7 +74,7 @@ fn what_failed_in_a_sweep_is_named_and_has_a_row() {
 }
 
 #[test]
-fn the_verdict_speaks_of_a_scene_with_enough_rounds() {
+fn the_verdict_is_about_a_scene_with_enough_rounds() {
     let mut comparison = sample::full();
     for class in comparison.scenes[0].structures.iter_mut().flat_map(|own| &mut own.classes) {
         class.rounds.truncate(2);
@@ -84,11 +84,11 @@ fn the_verdict_speaks_of_a_scene_with_enough_rounds() {
     comparison.scenes.truncate(1);
     comparison.base = "bvh".to_owned();
     let text = Report::new(&comparison).verdict();
-    assert!(text.starts_with("too few rounds were made in bunny"), "{text}");
+    assert!(text.starts_with("bunny has too few rounds for intervals;"), "{text}");
 }
 
 #[test]
-fn the_verdict_does_not_praise_what_is_slower() {
+fn the_verdict_of_a_fastest_base_names_no_other() {
     let mut comparison = sample::full();
     comparison.base = "bvh".to_owned();
     let text = Report::new(&comparison).verdict();
@@ -96,18 +96,18 @@ fn the_verdict_does_not_praise_what_is_slower() {
     comparison.scenes[0].structures.truncate(1);
     comparison.scenes.truncate(1);
     let text = Report::new(&comparison).verdict();
-    assert!(text.starts_with("no two structures were traced beside each other;"), "{text}");
+    assert!(text.starts_with("no two structures traced the same rays;"), "{text}");
 }
 
 #[test]
-fn the_verdict_says_of_how_many_pictures_it_is_true() {
+fn the_verdict_counts_the_pictures_that_were_proved_equal() {
     let mut comparison = sample::full();
     comparison.scenes.truncate(1);
     assert!(Report::new(&comparison).verdict().ends_with("; pictures equal bit for bit."));
     // A picture without a hash is not the whole one.
     comparison.scenes[0].proof.as_mut().unwrap().structures[1].picture_hash = None;
     let text = Report::new(&comparison).verdict();
-    let end = "; 0 of 1 pictures proved equal bit for bit, 1 not compared whole: bunny (a smaller \
+    let end = "; 0 of 1 pictures proved equal bit for bit, 1 not compared in full: bunny (a smaller \
                one from ball).";
     assert!(text.ends_with(end), "{text}");
     let smaller = comparison.scenes[0].clone();
@@ -116,7 +116,7 @@ fn the_verdict_says_of_how_many_pictures_it_is_true() {
 }
 
 #[test]
-fn the_mean_over_scenes_is_geometric_and_says_of_how_many() {
+fn the_mean_over_scenes_is_geometric_and_has_their_number() {
     let mut comparison = sample::full();
     comparison.base = "bvh".to_owned();
     let analysis = Analysis::of(&comparison);
@@ -138,18 +138,18 @@ fn the_mean_over_scenes_is_geometric_and_says_of_how_many() {
 }
 
 #[test]
-fn a_baseline_is_told_in_every_form() {
+fn a_baseline_is_in_every_form() {
     let comparison = sample::full();
     let page = Report::new(&comparison).html(&Pictures::new());
     for text in [page, Report::new(&comparison).markdown()] {
         assert!(text.contains("Against the baseline") && text.contains("SLOWER"), "{text}");
-        assert!(text.contains("The rays are others."), "{text}");
+        assert!(text.contains("The two runs traced different rays."), "{text}");
         assert!(text.contains("1 of 2 measurements changed by more than 10.0"), "{text}");
     }
 }
 
 #[test]
-fn the_verdict_without_scenes_speaks_of_growth() {
+fn the_verdict_without_scenes_is_about_growth() {
     let mut comparison = sample::full();
     comparison.scenes.clear();
     let text = Report::new(&comparison).verdict();
@@ -170,7 +170,7 @@ fn the_terminal_has_a_line_for_each_structure() {
 }
 
 #[test]
-fn markdown_says_what_should_be_doubted() {
+fn markdown_lists_what_is_doubtful() {
     let mut comparison = sample::full();
     comparison.run.machine.governor = Some("powersave".to_owned());
     comparison.run.machine.load_at_start = Some([3.5, 1.0, 1.0]);
@@ -180,10 +180,10 @@ fn markdown_says_what_should_be_doubted() {
     for sentence in [
         "The governor was powersave, not performance",
         "its load was 3.50",
-        "Sources had changed since the commit",
+        "The sources had changed since the named commit",
         "none was not measured in hall; ratios there are to ball.",
         "The hall was generated with seed 1.",
-        "too slow after 500\u{a0}ms",
+        "too slow for 500\u{a0}ms",
         "at 1.00\u{a0}M triangles: a round would take more",
     ] {
         assert!(text.contains(sentence), "{sentence}");

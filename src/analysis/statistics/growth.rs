@@ -1,4 +1,4 @@
-//! How cost grows with size: a straight line on doubly logarithmic axes.
+//! How cost grows with size: a straight line on two logarithmic axes.
 
 use serde::Serialize;
 

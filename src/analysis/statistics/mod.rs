@@ -1,8 +1,7 @@
-//! Everything that is computed from rounds, in one place, so that no report computes it again.
+//! The arithmetic of the analysis, on plain numbers: medians, intervals, ratios, power laws, break-even points.
 //!
-//! Knows numbers only: neither records nor reports. Random choices (the bootstrap's) start at a
-//! fixed seed, so the same rounds always give the same interval. What cannot be told from the
-//! numbers at hand is `None`, never NaN.
+//! The random numbers of the bootstrap have a fixed seed, so the same rounds always give the same interval. What cannot
+//! be computed from the given numbers is `None`, never NaN.
 
 mod estimate;
 mod growth;

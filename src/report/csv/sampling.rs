@@ -25,8 +25,8 @@ const HEADS: [&str; 18] = [
     "converged_rmse",
 ];
 
-/// Writes the table; `None` without the chapter. Numbers read back as they are in the JSON's
-/// `derived`. Lines are of four kinds, which `what` tells: `cost`, `share`, `noise`, `converged`.
+/// Writes the table; `None` without the chapter. Its numbers read back equal to those in the JSON's `derived`. A line
+/// is of one of four kinds, given in `what`: `cost`, `share`, `noise`, `converged`.
 pub(in crate::report) fn write_sampling(report: &Report<'_>) -> Option<String> {
     let Report { comparison, analysis, .. } = report;
     let chapter = comparison.sampling.as_ref()?;

@@ -1,4 +1,4 @@
-//! The list of the page's chapters.
+//! The table of contents.
 
 use maud::{Markup, html};
 

@@ -1,4 +1,4 @@
-//! Which plot shows what: from figures to drawings.
+//! The plots of the page: from the analysis to drawings.
 
 use maud::Markup;
 
@@ -24,15 +24,15 @@ pub(super) fn speedups(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> 
             },
         );
     let title = format!("{}: speed-up over {base}", scene.scene);
-    let label = format!("times as fast as {base}, ray for ray, with 95 % intervals (logarithmic)");
+    let label = format!("times as fast as {base}, per ray, with 95 % intervals (logarithmic)");
     dot_plot(&title, &label, "\u{a0}×", Some(1.0), &groups)
 }
 
-/// Millions of rays a second of each structure, by class.
+/// Millions of rays per second of each structure, by class.
 pub(super) fn rates(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
     let groups = groups(page, scene, |_, class| class.million_rays_per_second);
-    let title = format!("{}: million rays a second", scene.scene);
-    let label = "million rays a second, with 95 % intervals (logarithmic)";
+    let title = format!("{}: million rays per second", scene.scene);
+    let label = "million rays per second, with 95 % intervals (logarithmic)";
     dot_plot(&title, label, "", None, &groups)
 }
 
@@ -73,9 +73,10 @@ pub(super) fn pareto(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
     XyPlot {
         title: format!("{}: build against trace", scene.scene),
-        meaning: "Each structure's build time and the time of the picture's mean ray; less is \
-                  better in both. The dotted line joins those that no other beats."
-            .to_owned(),
+        meaning:
+            "Each structure's build time and the time of the picture's mean ray. Less is better \
+                  in both. The dotted line is the Pareto front."
+                .to_owned(),
         x: Ends { label: "build, all threads (logarithmic)", units: TIME },
         y: Ends { label: "mean ray of the picture (logarithmic)", units: TIME },
         series: series.collect(),
@@ -97,7 +98,7 @@ fn stairs(front: &[(f64, f64)]) -> Vec<(f64, f64)> {
     corners
 }
 
-/// Build and rays together against the number of rays; rings where a dearer build has paid.
+/// Build and rays together against the number of rays; rings where a slower build has paid off.
 pub(super) fn break_even(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
     let costs: Vec<_> = scene.structures.iter().filter_map(|s| Some((s, s.cost()?))).collect();
     let base = costs.iter().find(|(s, _)| Some(&s.structure) == scene.base.as_ref())?.1;
@@ -121,9 +122,9 @@ pub(super) fn break_even(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup
         fit: false,
     });
     XyPlot {
-        title: format!("{}: when a dearer build pays", scene.scene),
-        meaning: "Build and rays together against the number of the picture's mean rays. Rings \
-                  are where a structure meets the base."
+        title: format!("{}: when a slower build pays off", scene.scene),
+        meaning: "Build and rays together against the number of the picture's mean rays. A ring \
+                  marks where a structure and the base have taken the same time."
             .to_owned(),
         x: Ends { label: "rays (logarithmic)", units: COUNT },
         y: Ends { label: "build and rays together (logarithmic)", units: TIME },
@@ -146,7 +147,7 @@ pub(super) fn growth(page: &Page<'_>, sweep: &SweepFigures, class: RayClass) -> 
     let curves = sweep.curves.iter().filter(|curve| curve.class == class);
     XyPlot {
         title: format!("{}: {} rays against triangles", sweep.mesh, class.name()),
-        meaning: "Time of a ray against the number of triangles; dashed lines are power laws."
+        meaning: "Time of a ray against the number of triangles. Dashed lines are power laws."
             .to_owned(),
         x: Ends { label: "triangles (logarithmic)", units: COUNT },
         y: Ends { label: "time of a ray (logarithmic)", units: TIME },
@@ -189,7 +190,7 @@ pub(super) fn noise_scenes(analysis: &Analysis) -> Vec<&str> {
     scenes
 }
 
-/// Noise against time, a line for each method of sampling.
+/// Noise against time, a line for each sampling method.
 pub(super) fn noise(analysis: &Analysis, scene: &str) -> Option<Markup> {
     let is_measured = |own: &&NoiseFigures| own.pairing == Pairing::EqualSamples;
     let measured = || analysis.noise.iter().filter(is_measured);
@@ -214,9 +215,8 @@ pub(super) fn noise(analysis: &Analysis, scene: &str) -> Option<Markup> {
     });
     XyPlot {
         title: format!("{scene}: noise against time"),
-        meaning: "The noise that is left in frames with growing numbers of view samples, against \
-                  the time of a frame on one thread, for each method of sampling; less is better \
-                  in both."
+        meaning: "The noise of frames with growing numbers of view samples against the time of a \
+                  frame on one thread, for each sampling method. Less is better in both."
             .to_owned(),
         x: Ends { label: "processor time of a frame (logarithmic)", units: TIME },
         y: Ends { label: "RMSE to a converged picture (logarithmic)", units: &[] },

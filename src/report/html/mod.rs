@@ -1,7 +1,7 @@
-//! Record → one HTML file that needs nothing else.
+//! Record → one self-contained HTML file.
 //!
-//! No script, no font, no link to anywhere: pictures are embedded, plots are inline SVG, and the
-//! page forbids itself to load anything. It reads on paper, in light and dark, and on a phone.
+//! It has no script, no font and no external link: pictures are embedded, plots are inline SVG, and its content
+//! security policy forbids loading anything. Its style is for light and dark screens, phones and paper.
 
 mod contents;
 mod figures;
@@ -22,7 +22,7 @@ use table::{bare, table};
 const STYLE: &str = include_str!("style.css");
 const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'";
 
-/// What every part of the page is made from.
+/// The input of every part of the page.
 struct Page<'a> {
     report: &'a Report<'a>,
     pictures: &'a Pictures,
@@ -76,7 +76,7 @@ fn document(page: &Page<'_>) -> Markup {
                 }
                 footer {
                     "Made by srt " (page.report.comparison.run.version) " from a record of schema version "
-                    (page.report.comparison.schema_version) ". The same numbers are in the JSON, CSV and Markdown beside this page."
+                    (page.report.comparison.schema_version) ". The JSON, CSV and Markdown files beside this page have the same numbers."
                 }
             }
         }
@@ -97,12 +97,12 @@ fn head(page: &Page<'_>) -> Markup {
             @if let Some(commit) = &run.commit { " · commit " code { (commit) } }
         }
         @if run.partial {
-            p class="warning" { strong { "Partial." } " The comparison was stopped before its plan was done; what follows is what was measured until then." }
+            p class="warning" { strong { "Partial." } " The comparison was stopped before its plan was done. This report shows what was measured until then." }
         }
     }
 }
 
-/// Which structure, over all scenes.
+/// The structures over all scenes.
 fn overall(page: &Page<'_>) -> Markup {
     let own = tables::overall_table(page.report);
     html! {
@@ -129,17 +129,17 @@ fn proof(page: &Page<'_>) -> Markup {
     html! {
         @if !page.report.comparison.scenes.is_empty() { section id="proof" {
             h2 { "Proof" }
-            p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit. (A yardstick, another program's, need not.) Each scene's chapter has the figures." }
+            p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit. Peers, the structures of other libraries, need not. Each scene's chapter has the details." }
             (table(&tables::proof_matrix(page.report.comparison)))
             @for (scene, proof) in scenes {
                 @for entry in &proof.structures {
                     @if let Some(difference) = &entry.first_difference {
-                        p class="warning" { strong { (entry.structure) " differs in " (scene.name) ". " } "First: " (difference) }
+                        p class="warning" { strong { (entry.structure) " differs in " (scene.name) ". " } "First difference: " (difference) }
                     }
                 }
             }
             @for scene in page.report.comparison.scenes.iter().filter(|scene| scene.proof.is_none()) {
-                p class="warning" { "For " strong { (scene.name) } " there is no proof: its pictures were not compared." }
+                p class="warning" { strong { (scene.name) } " has no proof: its pictures were not compared." }
             }
         } }
     }
@@ -164,7 +164,7 @@ fn growth(page: &Page<'_>) -> Markup {
         @for (i, (sweep, figures)) in page.report.comparison.sweeps.iter().zip(&page.report.analysis.sweeps).enumerate() {
             section id=(format!("growth-{i}")) {
                 h2 { "Growth: " (sweep.mesh) }
-                p { "The same family of meshes at growing sizes. Dashed lines are power laws fitted to the medians; their exponents stand beside the names." }
+                p { "The same family of meshes at growing sizes. Dashed lines are power laws fitted to the medians. Their exponents are beside the names." }
                 @for class in figures.classes() {
                     @if let Some(plot) = figures::growth(page, figures, class) { (plot) }
                 }

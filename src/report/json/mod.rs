@@ -11,13 +11,13 @@ use super::Report;
 use crate::analysis::Analysis;
 use crate::record::{Comparison, SCHEMA_VERSION};
 
-/// Why text is not a record.
+/// Why text cannot be read as a record.
 #[derive(Debug, Error)]
 pub enum ReadError {
-    /// It is no JSON, or lacks a field, or a field has the wrong type.
+    /// It is not JSON, a field is missing, or a field has the wrong type.
     #[error("not a record of a comparison: {0}")]
     Malformed(#[from] serde_json::Error),
-    /// It was written by a version of srt that this one does not understand.
+    /// It has a schema version that this version of srt does not read.
     #[error(
         "the record has schema version {found}; this version of srt reads version {SCHEMA_VERSION}"
     )]

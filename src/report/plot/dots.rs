@@ -1,4 +1,4 @@
-//! A dot plot: a line for each measurement, grouped, with its interval, on a logarithmic axis.
+//! A dot plot on a logarithmic axis: groups of measurements, each in a row with its interval.
 
 use maud::{Markup, html};
 
@@ -34,7 +34,7 @@ pub(in crate::report) struct Dot {
     pub(in crate::report) value: Estimate,
 }
 
-/// Draws groups below each other; empty ones are left out. `line_at` is a value to mark across.
+/// Draws groups below each other; empty ones are left out. `line_at` is a value to mark with a line.
 pub(in crate::report) fn dot_plot(
     title: &str,
     axis_label: &str,
@@ -65,7 +65,7 @@ pub(in crate::report) fn dot_plot(
     Some(figure(title, &meaning, (right + RIGHT, bottom + BOTTOM), &drawing))
 }
 
-/// Where each group starts.
+/// The top of each group.
 fn tops(groups: &[&DotGroup]) -> Vec<f64> {
     let mut top = TOP + GROUP_GAP / 2.0;
     let next = |group: &&DotGroup| {

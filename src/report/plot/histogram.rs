@@ -1,4 +1,4 @@
-//! Histograms of several structures, one below the other on one axis.
+//! Histograms of several structures, below each other on one axis.
 
 use maud::{Markup, html};
 
@@ -13,7 +13,7 @@ const TOP: f64 = 8.0;
 const PANEL: f64 = 84.0;
 const GAP: f64 = 18.0;
 const BOTTOM: f64 = 46.0;
-/// Sizes with a bar of their own; larger ones share the last.
+/// The largest size with a bar of its own; larger ones share the last bar.
 const SIZES: usize = 16;
 
 /// The histogram of a structure.
@@ -22,7 +22,7 @@ pub(in crate::report) struct Bars {
     pub(in crate::report) look: Look,
     /// The name of the structure.
     pub(in crate::report) name: String,
-    /// Entry n: how many leaves hold n primitives.
+    /// Entry n: how many leaves have n primitives.
     pub(in crate::report) counts: Vec<u64>,
 }
 
@@ -75,7 +75,7 @@ fn draw(
     }
 }
 
-/// Shares of the leaves, those of many primitives together.
+/// Shares of the leaves by size; those of many primitives together.
 fn shares(counts: &[u64]) -> Vec<f64> {
     let total: u64 = counts.iter().sum();
     let mut shares = vec![0.0; counts.len().min(SIZES + 2)];

@@ -1,8 +1,8 @@
 //! Plots as inline SVG, drawn by hand.
 //!
-//! Colours and dashes are classes of the page's style sheet, so that a plot follows light, dark and print. Every structure
-//! has a marker and a written name beside its colour. Plots grow with the number of structures and the length of their
-//! names. Crates that plot write fixed colours and measure text with fonts of their own, hence none here.
+//! Colours and dashes are classes of the page's style sheet, so that a plot follows light, dark and print. Every
+//! structure has a marker and a written name beside its colour. Plots grow with the number of structures and the length
+//! of their names. Crates that plot write fixed colours and measure text with fonts of their own, hence none here.
 
 mod axis;
 mod dots;

@@ -1,4 +1,4 @@
-//! Points and lines on doubly logarithmic axes, each series named beside its end.
+//! Points and lines on two logarithmic axes, with the name of each series beside its end.
 
 use maud::{Markup, html};
 
@@ -18,9 +18,9 @@ const NAME_LEFT: f64 = 30.0;
 
 /// The text at an axis.
 pub(in crate::report) struct Ends {
-    /// What is on it, with its unit.
+    /// The quantity, with its unit.
     pub(in crate::report) label: &'static str,
-    /// Units for the numbers at it; without any they stand as they are.
+    /// Units of the numbers at it; empty for plain numbers.
     pub(in crate::report) units: &'static [Unit],
 }
 
@@ -28,7 +28,7 @@ pub(in crate::report) struct Ends {
 pub(in crate::report) struct XySeries {
     /// The look of the structure.
     pub(in crate::report) look: Look,
-    /// What is written beside it.
+    /// The name beside it.
     pub(in crate::report) name: String,
     /// The points, drawn as markers.
     pub(in crate::report) points: Vec<(f64, f64)>,
@@ -40,7 +40,7 @@ pub(in crate::report) struct XySeries {
     pub(in crate::report) fit: bool,
 }
 
-/// A plot on doubly logarithmic axes.
+/// A plot on two logarithmic axes.
 pub(in crate::report) struct XyPlot {
     /// The heading.
     pub(in crate::report) title: String,
@@ -54,7 +54,7 @@ pub(in crate::report) struct XyPlot {
     pub(in crate::report) series: Vec<XySeries>,
     /// The corners of a line that belongs to no series, such as a Pareto front.
     pub(in crate::report) path: Vec<(f64, f64)>,
-    /// Places to put a ring around.
+    /// Places with a ring around them.
     pub(in crate::report) rings: Vec<(f64, f64)>,
 }
 
