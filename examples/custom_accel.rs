@@ -17,7 +17,7 @@ use srt::accel::Bvh;
 use srt::assets::generate::{Kind, generate};
 use srt::compare::{Plan, SceneInput, Silent, run};
 use srt::conformance;
-use srt::report::terminal;
+use srt::report::Report;
 use srt::scene::{Scene, Structure, structure_named};
 use srt::scene_file::{ParseOptions, parse};
 
@@ -60,7 +60,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     let library = ["none", "bvh"].into_iter().filter_map(structure_named).copied();
     let structures: Vec<Structure> = library.chain([grid]).collect();
     let outcome = run(&plan, &structures, &Silent)?;
-    println!("{}", terminal::write(&outcome.comparison));
+    println!("{}", Report::new(&outcome.comparison).terminal());
     for entry in outcome.comparison.scenes.iter().flat_map(|s| &s.proof).flat_map(|p| &p.structures)
     {
         println!(

@@ -70,6 +70,8 @@ pub mod shapes;
 pub mod simd;
 
 #[cfg(feature = "program")]
+pub mod analysis;
+#[cfg(feature = "program")]
 pub mod assets;
 #[cfg(feature = "program")]
 pub mod cli;

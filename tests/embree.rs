@@ -132,18 +132,18 @@ fn a_comparison_tells_how_many_rays_agree_and_claims_no_equality() {
     assert_eq!(proof.structures.len(), 2);
     assert!(["bvh", "cwbvh"].contains(&proof.reference.as_str()));
     for name in ["embree", "embree16"] {
-        let entry = proof.yardstick(name).unwrap();
+        let entry = proof.peer(name).unwrap();
         assert!(proof.structure(name).is_none());
         assert!(entry.rays_checked > 100 && entry.share().unwrap() >= 0.9999, "{entry:?}");
         let row = scene.structure(name).unwrap();
-        assert!(row.yardstick && row.status == Status::Ok);
+        assert!(row.peer && row.status == Status::Ok);
         assert!(row.shape.is_none() && row.heatmap.is_none() && row.memory.is_some());
         assert!(!row.classes.is_empty() && !row.picture_rounds.is_empty());
         assert!(row.classes.iter().all(|class| class.boxes.is_none()));
         assert!(row.classes.iter().all(|class| class.primitives.is_none()));
     }
-    let text = srt::report::terminal::write(&outcome.comparison);
-    assert!(text.contains("a yardstick: "), "{text}");
+    let text = srt::report::Report::new(&outcome.comparison).terminal();
+    assert!(text.contains("a peer: "), "{text}");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use srt::accel::{BuildConfig, BuildStages};
-use srt::record::statistics::median;
+use srt::analysis::statistics::median;
 use srt::scene::{Scene, Structure, TracedWorld};
 
 /// Builds all structures, on all threads, and tells what they occupy.

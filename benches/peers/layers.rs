@@ -2,7 +2,7 @@
 //! functions.
 
 use srt::accel::{BuildConfig, Bvh8, Indexed, Tracer};
-use srt::record::statistics::median;
+use srt::analysis::statistics::median;
 use srt::scene::{Scene, TracedWorld, structure_named};
 use srt::shapes::TriangleSet;
 

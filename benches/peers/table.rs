@@ -1,6 +1,6 @@
 //! What was measured, as tables.
 
-use srt::record::statistics::median;
+use srt::analysis::statistics::median;
 
 use crate::rays::{Class, RaySet};
 

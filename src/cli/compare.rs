@@ -14,11 +14,11 @@ use super::output::print;
 use super::result_folder::{PictureFiles, ResultFolder, read_record};
 use super::terminal::{tell, tell_error};
 use crate::accel::BuildConfig;
+use crate::analysis::baseline;
 use crate::compare::{self, PictureOptions, Plan, SceneInput, SweepPlan};
 use crate::image_io::{Format, encode};
-use crate::record::baseline::{Baseline, Changes};
-use crate::record::{Comparison, Dropped};
-use crate::report::terminal;
+use crate::record::{Baseline, Comparison, Dropped};
+use crate::report::Report;
 
 /// Seconds for each scene, and for all, if nobody says how many.
 const SECONDS_A_SCENE: u64 = 30;
@@ -31,7 +31,7 @@ const FEWEST_SECONDS: f64 = 5.0;
 
 /// Compares, writes the report and prints its table.
 pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcome {
-    let baseline = arguments.baseline.as_deref().map(read_record).transpose()?;
+    let old = arguments.baseline.as_deref().map(read_record).transpose()?;
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.scenes));
     let Some(scenes) = load_all(arguments)? else { return Ok(Exit::Trouble) };
     let folder = ResultFolder::prepare(&out)?;
@@ -43,12 +43,11 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcom
     let outcome = interrupt.heeded_by(|| compare::run(&plan, &arguments.accel, &progress));
     drop(progress);
     let mut outcome = outcome.map_err(Failure::new)?;
-    outcome.comparison.baseline = baseline.map(|old| Baseline {
-        threshold: arguments.fail_above,
-        outcome: Changes::between(&old, &outcome.comparison),
-    });
-    folder.write(&outcome.comparison, &encoded(&outcome.pictures)?)?;
-    let fine = tell_outcome(arguments, &outcome, folder.path())?;
+    outcome.comparison.baseline =
+        old.map(|old| baseline::compare(&old, &outcome.comparison, arguments.fail_above));
+    let report = Report::new(&outcome.comparison);
+    folder.write(&report, &encoded(&outcome.pictures)?)?;
+    let fine = tell_outcome(arguments, &outcome, &report, folder.path())?;
     let compared = |baseline: &Baseline| !baseline.outcome.changes.is_empty();
     let in_vain = !outcome.comparison.baseline.as_ref().is_none_or(compared);
     let partial = outcome.comparison.run.partial;
@@ -75,14 +74,12 @@ fn exit(partial: bool, fine: bool, in_vain: bool) -> Exit {
 fn tell_outcome(
     arguments: &CompareArguments,
     outcome: &compare::Outcome,
+    report: &Report<'_>,
     folder: &Path,
 ) -> Result<bool, Failure> {
-    let mut text = terminal::write(&outcome.comparison);
-    let mut fine = outcome.holds();
-    if let Some(Baseline { threshold, outcome: changes }) = &outcome.comparison.baseline {
-        fine &= changes.regressions(*threshold).next().is_none();
-        text += &terminal::write_changes(changes, *threshold);
-    }
+    let text = report.terminal() + &report.terminal_changes().unwrap_or_default();
+    let is_slower = |baseline: &Baseline| baseline::regressions(baseline).next().is_some();
+    let fine = outcome.holds() && !outcome.comparison.baseline.as_ref().is_some_and(is_slower);
     differences(&outcome.comparison).iter().for_each(tell_error);
     if !arguments.quiet {
         print(&text)?;

@@ -8,7 +8,7 @@ use super::exit::{Exit, Outcome};
 use super::output::print;
 use super::result_folder::{PictureFiles, ResultFolder, picture_names, read_record};
 use crate::record::Comparison;
-use crate::report::terminal;
+use crate::report::Report;
 
 /// Writes the report again.
 pub(super) fn run(arguments: &ReportArguments) -> Outcome {
@@ -18,9 +18,10 @@ pub(super) fn run(arguments: &ReportArguments) -> Outcome {
     };
     let comparison = read_record(&arguments.record)?;
     let folder = ResultFolder::prepare(arguments.out.as_deref().unwrap_or(own_folder))?;
-    folder.write(&comparison, &pictures(&comparison, own_folder))?;
+    let report = Report::new(&comparison);
+    folder.write(&report, &pictures(&comparison, own_folder))?;
     if !arguments.quiet {
-        print(&terminal::write(&comparison))?;
+        print(&report.terminal())?;
     }
     Ok(Exit::Fine)
 }

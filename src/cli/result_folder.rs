@@ -8,7 +8,7 @@ use super::exit::Failure;
 use super::output::Output;
 use crate::compare::{heatmap_name, picture_name};
 use crate::record::{Comparison, SceneRecord};
-use crate::report::{csv, html, json, markdown};
+use crate::report::{Report, read_json};
 
 /// The bytes of pictures by the names of their files.
 pub(super) type PictureFiles = BTreeMap<String, Vec<u8>>;
@@ -48,21 +48,21 @@ impl ResultFolder {
     /// Writes a report in all its forms, and its pictures.
     pub(super) fn write(
         &self,
-        comparison: &Comparison,
+        report: &Report<'_>,
         pictures: &PictureFiles,
     ) -> Result<(), Failure> {
-        let stale = self.stale(comparison);
+        let stale = self.stale(report.comparison());
         for (name, bytes) in pictures {
             self.write_file(name, bytes)?;
         }
-        let json = json::write(comparison).map_err(Failure::new)?;
+        let json = report.json().map_err(Failure::new)?;
         self.write_file("report.json", json.as_bytes())?;
-        self.write_file("report.csv", csv::write(comparison).as_bytes())?;
-        if let Some(text) = csv::write_sampling(comparison) {
+        self.write_file("report.csv", report.csv().as_bytes())?;
+        if let Some(text) = report.sampling_csv() {
             self.write_file("sampling.csv", text.as_bytes())?;
         }
-        self.write_file("report.md", markdown::write(comparison).as_bytes())?;
-        self.write_file("report.html", html::write(comparison, pictures).as_bytes())?;
+        self.write_file("report.md", report.markdown().as_bytes())?;
+        self.write_file("report.html", report.html(pictures).as_bytes())?;
         // Last, so that nothing is lost where something cannot be written. What cannot be removed
         // stays.
         for name in stale {
@@ -121,5 +121,5 @@ pub(super) fn read_record(path: &Path) -> Result<Comparison, Failure> {
         Failure::new(format_args!("cannot read the record `{}`: {why}", path.display()))
     };
     let text = fs::read_to_string(path).map_err(|error| trouble(&error))?;
-    json::read(&text).map_err(|error| trouble(&error))
+    read_json(&text).map_err(|error| trouble(&error))
 }

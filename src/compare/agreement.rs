@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use crate::math::CLOSE;
-use crate::record::YardstickProof;
+use crate::record::PeerAgreement;
 
 use super::entrant::{Answers, Entrant, trace};
 use super::proof::{Answer, Expected};
@@ -18,9 +18,9 @@ pub(super) fn check(
     expected: &[Expected<'_>],
     ray_times: &[Option<Duration>],
     share: Duration,
-) -> Option<YardstickProof> {
+) -> Option<PeerAgreement> {
     let structure = entrant.structure.name.to_owned();
-    let mut proof = YardstickProof { structure, rays_checked: 0, rays_agreeing: 0, close: CLOSE };
+    let mut proof = PeerAgreement { structure, rays_checked: 0, rays_agreeing: 0, close: CLOSE };
     for (class, time) in expected.iter().zip(ray_times) {
         let (places, rays) = class.asked(*time, share);
         let query = class.set.query;

@@ -179,11 +179,8 @@ fn heat_scale(values: &[f32]) -> Option<HeatScale> {
 }
 
 fn colored(width: u32, height: u32, values: &[f32], scale: &HeatScale) -> Picture {
-    let spacing = match scale.spacing {
-        Spacing::Linear => render::Spacing::Linear,
-        Spacing::Logarithmic => render::Spacing::Logarithmic,
-    };
-    let scale = Scale { low: scale.low as f32, high: scale.high as f32, spacing };
+    let (low, high) = (scale.low as f32, scale.high as f32);
+    let scale = Scale { low, high, spacing: scale.spacing };
     heat_picture(width, height, values, scale)
 }
 

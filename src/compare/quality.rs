@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::record::{BuildStage, Memory, Shape};
+use crate::record::{BuildStage, Memory, ShapeRecord};
 use crate::scene::{BuildReport, Scene, TracedWorld};
 
 use super::Stage;
@@ -18,12 +18,12 @@ pub(super) fn build_stages(report: &BuildReport) -> Vec<BuildStage> {
 }
 
 /// The form of the structures over the meshes; in a scene without meshes, of that over the objects.
-pub(super) fn shape(report: &BuildReport, scene: &Scene) -> Shape {
+pub(super) fn shape(report: &BuildReport, scene: &Scene) -> ShapeRecord {
     let has_meshes = report.triangles > 0;
     let shape = if has_meshes { &report.meshes } else { &report.objects };
     let primitives = if has_meshes { report.triangles } else { scene.objects.len() as u64 };
     let sizes = shape.leaf_sizes.iter().enumerate();
-    Shape {
+    ShapeRecord {
         nodes: shape.nodes,
         leaves: shape.leaves,
         depth: shape.depth,

@@ -83,7 +83,7 @@ pub(super) fn record(
     let rate = |class| stats.class(class).rays as f64 / samples;
     Recording {
         sets: recorder.sets(scene),
-        per_sample: render::RayClass::ALL.map(|class| (class_of(class), rate(class))).into(),
+        per_sample: RayClass::RENDERED.map(|class| (class, rate(class))).into(),
     }
 }
 
@@ -96,19 +96,9 @@ fn small(picture: &Settings, samples: u32) -> Settings {
     Settings { width, height, crop: None, ..picture.clone() }
 }
 
-/// The record's name of a renderer's class.
-pub(super) fn class_of(class: render::RayClass) -> RayClass {
-    match class {
-        render::RayClass::View => RayClass::View,
-        render::RayClass::Shadow => RayClass::Shadow,
-        render::RayClass::Mirror => RayClass::Mirror,
-        render::RayClass::Refraction => RayClass::Refraction,
-    }
-}
-
 /// Keeps the rays that a rendering sends.
 struct Recorder<'a> {
-    kept: Mutex<[Thinned; 4]>,
+    kept: Mutex<[Thinned; RayClass::RENDERED.len()]>,
     cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
@@ -121,12 +111,12 @@ impl<'a> Recorder<'a> {
         // Through transparent objects the renderer follows shadow rays from hit to hit.
         let shadow = if scene.has_transparency() { Query::Closest } else { Query::Any };
         let kept = self.kept.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let set = |(class, thinned): (render::RayClass, Thinned)| RaySet {
-            class: class_of(class),
-            query: if class == render::RayClass::Shadow { shadow } else { Query::Closest },
+        let set = |(class, thinned): (RayClass, Thinned)| RaySet {
+            class,
+            query: if class == RayClass::Shadow { shadow } else { Query::Closest },
             rays: thinned.rays,
         };
-        let sets = render::RayClass::ALL.into_iter().zip(kept).map(set);
+        let sets = RayClass::RENDERED.into_iter().zip(kept).map(set);
         sets.filter(|set| !set.rays.is_empty()).collect()
     }
 }
@@ -138,7 +128,7 @@ impl render::Observer for Recorder<'_> {
         (self.cancelled)()
     }
 
-    fn rays_sent(&self, class: render::RayClass, rays: &[Ray]) {
+    fn rays_sent(&self, class: RayClass, rays: &[Ray]) {
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         kept[class as usize].extend(rays);
     }

@@ -3,8 +3,8 @@
 //! Round n of one lane runs beside round n of every other, and each round begins with another
 //! lane. Knows nothing of rays or structures: a lane is a number.
 
+use crate::analysis::statistics::estimate;
 use crate::record::RoundRule;
-use crate::record::statistics::estimate;
 
 use super::budget::Budget;
 

@@ -36,8 +36,8 @@ impl Outcome {
     pub fn holds(&self) -> bool {
         let scenes = &self.comparison.scenes;
         let asked = |scene: &SceneRecord, row: &StructureRecord| {
-            let traced = scene.proof.as_ref().and_then(|proof| proof.yardstick(&row.name));
-            !row.yardstick || traced.is_some()
+            let traced = scene.proof.as_ref().and_then(|proof| proof.peer(&row.name));
+            !row.peer || traced.is_some()
         };
         let failed = |row: &StructureRecord| matches!(row.status, Status::Failed { .. });
         let mut dropped = self.comparison.sweeps.iter().flat_map(|sweep| &sweep.dropped);

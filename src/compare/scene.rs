@@ -214,14 +214,14 @@ impl Work<'_> {
         let expected =
             proof::expected(&mut self.entrants[reference], sets, &times[reference], share);
         let thin = expected.iter().any(|class| !class.is_whole());
-        let (mut proofs, mut yardsticks) = (Vec::new(), Vec::new());
+        let (mut proofs, mut peers) = (Vec::new(), Vec::new());
         for (entrant, times) in self.entrants.iter_mut().zip(times) {
             let structure = entrant.structure.name.to_owned();
             if (self.stage.cancelled)() {
                 break;
             }
             if entrant.structure.yardstick {
-                yardsticks.extend(agreement::check(entrant, &expected, times, share));
+                peers.extend(agreement::check(entrant, &expected, times, share));
                 continue;
             }
             let mut proof = StructureProof { structure, ..StructureProof::default() };
@@ -234,7 +234,7 @@ impl Work<'_> {
             }
         }
         let name = self.entrants[reference].structure.name.to_owned();
-        let mut proof = Proof { reference: name, witness: None, structures: proofs, yardsticks };
+        let mut proof = Proof { reference: name, witness: None, structures: proofs, peers };
         if thin && !(self.stage.cancelled)() {
             self.prove_by_witness(reference, &mut proof, share);
         }

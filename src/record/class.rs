@@ -1,45 +1,10 @@
-//! A class of rays: how many, what they tested, what each round took.
+//! The rays of a class: how many, what they tested, how long each round took.
 
 use serde::{Deserialize, Serialize};
 
-/// What rays are sent for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RayClass {
-    /// From the eye through a pixel.
-    View,
-    /// From a surface to a light: is anything between?
-    Shadow,
-    /// Along a mirror direction.
-    Mirror,
-    /// Through a surface.
-    Refraction,
-    /// From a surface in a random direction: the first bounce of diffuse light.
-    Diffuse,
-    /// Uniformly random through the scene's box.
-    Random,
-}
+use super::RayClass;
 
-impl RayClass {
-    /// All classes, in the order of reports.
-    pub const ALL: [Self; 6] =
-        [Self::View, Self::Shadow, Self::Mirror, Self::Refraction, Self::Diffuse, Self::Random];
-
-    /// The name in reports, as in the record.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::View => "view",
-            Self::Shadow => "shadow",
-            Self::Mirror => "mirror",
-            Self::Refraction => "refraction",
-            Self::Diffuse => "diffuse",
-            Self::Random => "random",
-        }
-    }
-}
-
-/// The rays of a class through a structure: the same rays for all structures of a scene.
+/// The rays of a class with a structure: the same rays with all structures of a scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ClassRecord {
     /// The class.
@@ -48,22 +13,21 @@ pub struct ClassRecord {
     pub rays: u64,
     /// How many of them hit something; for shadow rays, how many were blocked.
     pub hits: u64,
-    /// Box tests that all rays of a round took; absent if they were not counted.
+    /// Box tests of all rays of a round; absent if they were not counted.
     pub boxes: Option<u64>,
-    /// Primitive tests that all rays of a round took; absent if they were not counted.
+    /// Primitive tests of all rays of a round; absent if they were not counted.
     pub primitives: Option<u64>,
-    /// The rounds, in the order in which they were run. Round n of one structure ran beside round
-    /// n of every other, so that ratios are taken between rounds of the same number.
+    /// The rounds, in the order of measurement. Rounds are interleaved: round n of all structures was measured
+    /// together, so ratios are taken between rounds of the same number.
     pub rounds: Vec<Round>,
-    /// The rays that both this structure and the base traced, where one of them had time for more
-    /// than the other; absent where they traced the same, and in older records.
+    /// The rays that both this structure and the base traced, if one of them traced more than the other; absent if they
+    /// traced the same rays, and in older records.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub common: Option<CommonRays>,
 }
 
-/// Rays that both a structure and the base traced, each of them beside its other rays in every
-/// round. Times of different rays are no ratio: other rays meet other parts of a scene, and rays
-/// that lie further apart share less of the caches.
+/// Rays that both a structure and the base traced. A ratio needs equal rays: other rays meet other parts of a scene,
+/// and a sparser sample shares less of the caches.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct CommonRays {
     /// How many rays there are.
@@ -79,33 +43,32 @@ pub struct CommonRays {
 pub struct Round {
     /// Wall time in nanoseconds.
     pub wall_ns: u64,
-    /// Processor time of all threads together, in nanoseconds; absent where the system keeps none.
+    /// Processor time of all threads together, in nanoseconds; absent where the system does not measure it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cpu_ns: Option<u64>,
-    /// What the processor counted, where the system grants it.
+    /// What the processor counted, where the system permits it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hardware: Option<HardwareCounters>,
 }
 
 impl Round {
-    /// The time that the round took of its own: wall time without what it waited for a processor
-    /// that other programs had. That is the processor time, unless several threads had a part in
-    /// it, whose times add up to more than the wall time.
+    /// The round's own time in nanoseconds: wall time without waiting for a processor that other programs used. That is
+    /// the shorter of wall time and processor time; the processor time of several threads can be the longer one.
     #[must_use]
     pub fn own_ns(&self) -> u64 {
         self.cpu_ns.map_or(self.wall_ns, |cpu| cpu.min(self.wall_ns))
     }
 }
 
-/// Events of a round that the processor counted; each is absent where it was not granted.
+/// Events of a round that the processor counted; each is absent where the system does not permit it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct HardwareCounters {
     /// Clock cycles.
     pub cycles: Option<u64>,
-    /// Instructions that were retired.
+    /// Retired instructions.
     pub instructions: Option<u64>,
-    /// Branches that were predicted wrongly.
+    /// Mispredicted branches.
     pub branch_misses: Option<u64>,
-    /// Reads that missed the last cache.
+    /// Reads that missed the last-level cache.
     pub cache_misses: Option<u64>,
 }

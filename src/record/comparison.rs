@@ -2,33 +2,32 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::baseline::Baseline;
-use super::{Run, SamplingChapter, SceneRecord, Sweep};
+use super::{Baseline, Run, SamplingChapter, SceneRecord, Sweep};
 
-/// The version of the record: raised when a field changes its meaning or goes away. New fields
-/// that may be absent do not raise it.
+/// The version of the record. It is raised when a field changes its meaning or is removed. A new field that may be
+/// absent does not raise it, and neither does a new name for a field whose old name is still read.
 pub const SCHEMA_VERSION: u32 = 1;
 
-/// The same work, done with several structures, and what it took.
+/// The same work, measured with several structures.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
     /// [`SCHEMA_VERSION`] of the program that wrote the record.
     pub schema_version: u32,
     /// How, when and on what it was measured.
     pub run: Run,
-    /// The name of the structure that ratios are taken to, `none` unless asked otherwise. In a
-    /// scene where it was not measured, the first structure that was takes its place.
+    /// The structure that ratios are taken to. In a scene where it was not measured, ratios are taken to the first
+    /// structure that was.
     pub base: String,
     /// The scenes, in the order in which they were named.
     pub scenes: Vec<SceneRecord>,
     /// Cost against the number of triangles, one for each family of meshes.
     pub sweeps: Vec<Sweep>,
-    /// What random numbers and shuffling cost and bring, if that was asked for.
+    /// The study of sampling, if it was part of the run.
     pub sampling: Option<SamplingChapter>,
-    /// What changed against an older record, if it was asked for.
+    /// What changed against an older record, if there was a baseline.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub baseline: Option<Baseline>,
-    /// What else a reader should know of this run, one sentence each.
+    /// Notes on this run, one sentence each.
     pub notes: Vec<String>,
 }
 

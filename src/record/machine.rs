@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a measurement depends on beside the program. What the system does not tell is absent.
+/// The machine, as far as times depend on it. What the system does not report is absent.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Machine {
-    /// The processor's name, as it gives it.
+    /// The processor's name.
     pub cpu: String,
     /// Hardware threads that the program may run on.
     pub cores: u32,
@@ -15,7 +15,7 @@ pub struct Machine {
     pub os: String,
     /// The widest instruction set that the kernels used, chosen as the program started.
     pub instruction_set: String,
-    /// How the system chooses the clock (`performance`, `schedutil`, …).
+    /// The governor of the clock frequency (`performance`, `schedutil`, …).
     pub governor: Option<String>,
     /// Load averages over 1, 5 and 15 minutes before the first measurement: 1.0 is one busy core.
     pub load_at_start: Option<[f64; 3]>,

@@ -1,35 +1,37 @@
-//! A comparison as plain data: all that a report may know.
+//! A comparison as plain data: all that a report is made from.
 //!
-//! The `compare` layer fills a [`Comparison`] by measuring, the `report` layer turns it into
-//! bytes, and neither needs the other. Nothing here knows how rays are traced, what a structure is
-//! or how a page looks. What was measured is kept raw, round by round; everything that follows
-//! from it (medians, intervals, ratios, slopes) is computed by [`statistics`] and gathered in
-//! [`derived`], so that every report prints the same figures.
+//! `compare` fills a [`Comparison`] by measuring, and `report` turns it into bytes; neither needs the other.
+//! Measurements are kept raw, round by round. Everything that follows from them (medians, intervals, ratios, slopes) is
+//! computed by [`analysis`](crate::analysis). Nothing here depends on how rays are traced, how a structure works or how
+//! a page looks.
 //!
-//! Times are whole nanoseconds in fields that end in `_ns`, memory is bytes, hashes are
-//! hexadecimal. Pictures travel beside the record as files, which it names ([`PictureFile`]).
+//! Times are whole nanoseconds in fields that end in `_ns`, memory is in bytes, hashes are hexadecimal. Pictures are
+//! files beside the record, which names them ([`PictureFile`]).
 
-pub mod baseline;
+mod baseline;
 mod class;
 mod comparison;
-pub mod derived;
+mod estimate;
 mod machine;
 mod proof;
+mod ray_class;
 mod run;
 mod sampling;
 mod scene;
-pub mod statistics;
 mod structure;
 mod sweep;
 
-pub use class::{ClassRecord, CommonRays, HardwareCounters, RayClass, Round};
+pub use baseline::{Baseline, Change, Changes};
+pub use class::{ClassRecord, CommonRays, HardwareCounters, Round};
 pub use comparison::{Comparison, SCHEMA_VERSION};
+pub use estimate::{Estimate, Interval};
 pub use machine::Machine;
-pub use proof::{Proof, StructureProof, YardstickProof};
+pub use proof::{PeerAgreement, Proof, StructureProof};
+pub use ray_class::RayClass;
 pub use run::{Options, RoundRule, Run};
 pub use sampling::{ConvergedPicture, FramePart, NoisePoint, OperationCost, SamplingChapter};
 pub use scene::{HeatScale, PictureFile, SceneRecord, Spacing};
 pub use structure::{
-    BuildRecord, BuildStage, Memory, PictureRound, Shape, Status, StructureRecord,
+    BuildRecord, BuildStage, Memory, PictureRound, ShapeRecord, Status, StructureRecord,
 };
 pub use sweep::{Dropped, Sweep, SweepPoint};

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Machine;
 
-/// All that somebody needs to do the same again.
+/// Everything that is needed to repeat the run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Run {
     /// The exact command, quoted for a shell.
@@ -13,20 +13,19 @@ pub struct Run {
     pub date: String,
     /// The version of srt.
     pub version: String,
-    /// The commit whose sources it was built from, `-dirty` behind it if they had changed since;
-    /// absent where that is not known.
+    /// The commit that it was built from, with `-dirty` appended if the sources had changed since; absent if not known.
     pub commit: Option<String>,
     /// The compiler and its version.
     pub compiler: String,
     /// The build profile (`release`, `dev`).
     pub profile: String,
-    /// Flags that were given to the compiler beside the profile's; empty for a plain build.
+    /// Compiler flags in addition to the profile's; empty for a plain build.
     pub flags: String,
     /// The machine.
     pub machine: Machine,
-    /// Where random numbers started, for the pictures and for the rays.
+    /// The seed of all random numbers, for the pictures and for the rays.
     pub seed: u64,
-    /// How many seconds the whole comparison was given; absent for no limit.
+    /// The budget of the whole comparison in seconds; absent for no limit.
     pub budget_seconds: Option<f64>,
     /// How many seconds it took.
     pub elapsed_seconds: f64,
@@ -34,41 +33,39 @@ pub struct Run {
     pub partial: bool,
     /// What was rendered and traced.
     pub options: Options,
-    /// How often each measurement was repeated.
+    /// When each measurement was repeated often enough.
     pub rounds: RoundRule,
 }
 
 /// What the pictures and the replayed rays were made with.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Options {
-    /// Threads that rendered, and that "all threads" of builds means.
+    /// Threads that rendered and built ("all threads").
     pub threads: u32,
     /// Threads that replayed the recorded rays.
     pub trace_threads: u32,
-    /// Width and height asked for, in pixels; absent where each scene's own was taken.
+    /// Width and height in pixels; absent if each scene's own were used.
     pub size: Option<[u32; 2]>,
-    /// View samples along each side of a pixel; 0 is one ray through the centre. Absent where each
-    /// scene's own was taken.
+    /// View samples along each side of a pixel; 0 is one ray through the centre. Absent if each scene's own number was
+    /// used.
     pub aa: Option<u32>,
     /// Light samples along each side of an area light.
     pub light_samples: u32,
-    /// How many times a view ray may be mirrored or refracted; absent where each scene's own was
-    /// taken.
+    /// How many times a view ray may be reflected or refracted; absent if each scene's own number was used.
     pub max_recursion: Option<u32>,
     /// How area lights were sampled (`shuffled`, `independent`).
     pub sampling: String,
-    /// The quality that builds were asked for (`fast`, `medium`, `best`).
+    /// The quality of builds (`fastest`, `fast`, `medium`, `slow`, `slowest`).
     pub build: String,
 }
 
 /// When a measurement has been repeated often enough.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RoundRule {
-    /// Rounds that were made first and are not in the record.
+    /// Rounds before the first recorded one, to warm up.
     pub warmup: u32,
-    /// Rounds that were made at least, if the budget allowed.
+    /// The least number of rounds, if the budget allowed as many.
     pub at_least: u32,
-    /// Half the width of the median's 95 % interval, as a share of the median, below which
-    /// rounds ended.
+    /// Rounds ended when half the width of the median's 95 % interval was less than this share of the median.
     pub relative_interval: f64,
 }

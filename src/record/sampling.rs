@@ -1,34 +1,34 @@
-//! The course's own question: what do random numbers and shuffling cost, and what do they bring?
+//! What random numbers and shuffling cost, and how much noise they leave.
 
 use serde::{Deserialize, Serialize};
 
 /// The chapter on sampling.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SamplingChapter {
-    /// What single operations cost.
+    /// The costs of single operations.
     pub costs: Vec<OperationCost>,
-    /// How often a frame does them.
+    /// How often a frame performs them.
     pub parts: Vec<FramePart>,
     /// The pictures that noise is measured against.
     pub converged: Vec<ConvergedPicture>,
-    /// How much noise is left.
+    /// The noise that is left.
     pub noise: Vec<NoisePoint>,
-    /// The method that is the default of this program.
+    /// The default method of srt.
     pub default: String,
 }
 
-/// Something that is done very often.
+/// An operation that a frame performs very often.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct OperationCost {
-    /// What it is, such as `a random number`.
+    /// The operation, such as `a random number`.
     pub operation: String,
-    /// How many times each round did it.
+    /// How many times each round performed it.
     pub count: u64,
-    /// Processor time of each round in nanoseconds; wall time where the system does not tell.
+    /// Processor time of each round in nanoseconds; wall time where the system does not measure processor time.
     pub rounds_ns: Vec<u64>,
 }
 
-/// How often an operation is done in one of the frames whose noise was measured.
+/// How often one of the frames whose noise was measured performs an operation.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FramePart {
     /// The name of the scene.
@@ -37,13 +37,13 @@ pub struct FramePart {
     pub sampling: String,
     /// View samples for each pixel of the frame.
     pub pixel_samples: u32,
-    /// The operation, one of those whose cost is known.
+    /// The operation, one of [`SamplingChapter::costs`].
     pub operation: String,
     /// How many times.
     pub count: u64,
 }
 
-/// The mean of many renderings of a scene, each with random numbers of its own.
+/// The mean of many renderings of a scene, each with other random numbers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ConvergedPicture {
     /// The name of the scene.
@@ -58,13 +58,13 @@ pub struct ConvergedPicture {
     pub pixel_samples: u32,
     /// Light samples for each view sample and light.
     pub light_samples: u32,
-    /// The noise that the mean itself still has, by how its renderings differ, in the unit of the
-    /// noise of frames.
+    /// The noise of the mean itself, estimated from the differences between its renderings, in the unit of the noise of
+    /// frames.
     pub rmse: f64,
 }
 
-/// The noise in the frames of a method with so many samples, and the time they take on one thread.
-/// Rounds of the same number ran beside each other, with the same random view rays.
+/// The noise and the time, on one thread, of frames with a method and a number of samples. Rounds are interleaved:
+/// frames of the same round have the same random view rays.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct NoisePoint {
     /// The name of the scene.
@@ -75,9 +75,9 @@ pub struct NoisePoint {
     pub pixel_samples: u32,
     /// Light samples for each view sample and light.
     pub light_samples: u32,
-    /// Processor time of each frame in nanoseconds; wall time where the system does not tell.
+    /// Processor time of each frame in nanoseconds; wall time where the system does not measure processor time.
     pub rounds_ns: Vec<u64>,
-    /// For each frame, the root of the mean squared difference to the converged picture, over all
-    /// channels, in linear units.
+    /// For each frame, the root of the mean squared difference to the converged picture, over all channels, in linear
+    /// units.
     pub rounds_rmse: Vec<f64>,
 }

@@ -1,4 +1,4 @@
-//! A scene, and what all structures did with it.
+//! A scene, and what was measured of all structures over it.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,18 +15,18 @@ pub struct SceneRecord {
     pub hash: String,
     /// Objects in the scene.
     pub objects: u64,
-    /// Triangles in the scene, those of a mesh for each object that is made of it.
+    /// Triangles in the scene; those of a mesh count once for each object with that mesh.
     pub triangles: u64,
-    /// Triangles that are stored, those of each mesh once; 0 in older records, which do not tell.
+    /// Triangles in memory; those of a mesh count once. 0 in older records, which do not have this field.
     #[serde(default)]
     pub stored_triangles: u64,
     /// Lights in the scene.
     pub lights: u64,
-    /// The picture as the reference rendered it.
+    /// The picture that the reference rendered.
     pub picture: Option<PictureFile>,
-    /// That all structures gave the same picture and the same hits.
+    /// The proof that all structures gave the same picture and the same hits.
     pub proof: Option<Proof>,
-    /// What the ends of the colours of all heatmaps of this scene stand for.
+    /// The colour scale of all heatmaps of this scene.
     pub heat_scale: Option<HeatScale>,
     /// The structures, in the order in which they were named.
     pub structures: Vec<StructureRecord>,
@@ -40,7 +40,7 @@ impl SceneRecord {
     }
 }
 
-/// A picture in a PNG file that travels beside the record.
+/// A picture in a PNG file beside the record.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PictureFile {
     /// The name of the file, relative to the record's, with `/` between folders.
@@ -54,8 +54,8 @@ pub struct PictureFile {
     pub hash: String,
 }
 
-/// The colour scale (matplotlib's *inferno*) that the heatmaps of a scene share: tests of boxes
-/// and primitives by all of a pixel's rays, per view sample.
+/// The colour scale (matplotlib's *inferno*) of all heatmaps of a scene: box and primitive tests of all of a pixel's
+/// rays, per view sample.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeatScale {
     /// Tests at the darkest colour.
@@ -67,10 +67,11 @@ pub struct HeatScale {
 }
 
 /// How a scale is divided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Spacing {
     /// Equal steps are equal differences.
+    #[default]
     Linear,
     /// Equal steps are equal factors.
     Logarithmic,

@@ -1,27 +1,27 @@
-//! A structure over a scene: what it is, what its build took, what its rays took.
+//! A structure over a scene: its shape and memory, the times of its builds, its rays.
 
 use serde::{Deserialize, Serialize};
 
 use super::{ClassRecord, PictureFile, RayClass};
 
-/// What a structure did with a scene. What was not measured is absent or empty.
+/// What was measured of a structure over a scene. What was not measured is absent or empty.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct StructureRecord {
     /// The name of the structure.
     pub name: String,
-    /// Whether it is another program's, compared for its speed alone: not held to equal answers,
-    /// and without counts, form and heatmap.
-    #[serde(default)]
-    pub yardstick: bool,
-    /// Whether it did its work.
+    /// Whether it is a peer: the structure of another library, compared for its speed. Its results need not be equal,
+    /// and it has no counts, shape and heatmap.
+    #[serde(default, alias = "yardstick")]
+    pub peer: bool,
+    /// Whether everything was measured, and if not, why.
     pub status: Status,
-    /// What building took.
+    /// The times of its builds.
     pub build: BuildRecord,
-    /// What it occupies.
+    /// Its memory.
     pub memory: Option<Memory>,
-    /// What it looks like.
-    pub shape: Option<Shape>,
-    /// What its rays took, by class.
+    /// Its nodes, leaves and quality.
+    pub shape: Option<ShapeRecord>,
+    /// Its rays, by class.
     pub classes: Vec<ClassRecord>,
     /// Rounds of building and rendering the whole picture, all threads.
     pub picture_rounds: Vec<PictureRound>,
@@ -37,37 +37,36 @@ impl StructureRecord {
     }
 }
 
-/// How a structure got through a scene.
+/// Whether a structure was measured over a scene.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "state", rename_all = "snake_case")]
 pub enum Status {
-    /// All that was asked for was measured.
+    /// Everything was measured.
     #[default]
     Ok,
-    /// It could not go on.
+    /// It failed.
     Failed {
         /// Why, in words.
         message: String,
     },
-    /// It was left out because a round took longer than the budget allows.
+    /// A measurement was left out because it would take longer than its budget.
     TooSlow {
-        /// How long it had been given until then, in seconds.
+        /// This budget, in seconds.
         after_seconds: f64,
     },
-    /// The comparison was stopped before its turn was over.
+    /// The comparison was stopped before all was measured.
     Stopped,
 }
 
-/// Wall times of builds in nanoseconds, one for each round, from the compiled scene to the first
-/// ray.
+/// Wall times of builds in nanoseconds, one for each round, from the compiled scene to the first ray.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct BuildRecord {
     /// On one thread.
     pub one_thread_ns: Vec<u64>,
     /// On all threads.
     pub all_threads_ns: Vec<u64>,
-    /// The stages of one build on all threads, that of the structure that was traced; none where it
-    /// does not tell them, and in older records.
+    /// The stages of one build on all threads, that of the structure that was traced; none if the structure does not
+    /// report them, and in older records.
     #[serde(default)]
     pub stages: Vec<BuildStage>,
 }
@@ -88,43 +87,43 @@ pub struct Memory {
     pub index_bytes: u64,
     /// The primitives as they are traced.
     pub primitive_bytes: u64,
-    /// The most that the process had resident while it built, where the system tells.
+    /// The largest resident memory of the process during a build, where the system reports it.
     pub peak_resident_bytes: Option<u64>,
 }
 
-/// The form of a structure: those of all meshes added up, each mesh once; in a scene without
-/// meshes, the one over its objects.
+/// The shape of a structure: the sums over all meshes, each mesh once; in a scene without meshes, the structure over
+/// its objects.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Shape {
+pub struct ShapeRecord {
     /// Inner nodes, the root included.
     pub nodes: u64,
-    /// Leaves: ranges of primitives that are offered at once.
+    /// Leaves: ranges of primitives that are tested together.
     pub leaves: u64,
-    /// Steps from the root to the deepest leaf; 0 where there is no tree.
+    /// Steps from the root to the deepest leaf; 0 if it is no tree.
     pub depth: u32,
-    /// Entry n: how many leaves hold n primitives.
+    /// Entry n: how many leaves have n primitives.
     pub leaf_sizes: Vec<u64>,
     /// Primitives that were indexed.
     pub primitives: u64,
     /// References from leaves to primitives; more than `primitives` where a build splits them.
     pub references: u64,
-    /// Expected cost of a ray by the surface area heuristic, for trees: a box test costs 1, a
-    /// primitive test costs 1.
+    /// The expected cost of a ray by the surface area heuristic, of trees: a box test costs 1, a primitive test costs
+    /// 1.
     pub sah_cost: Option<f64>,
-    /// End-point overlap (Aila, Karras, Laine: *On quality metrics of bounding volume
-    /// hierarchies*, HPG 2013), for trees over meshes: what a ray that ends on a surface pays in
-    /// boxes that the surface does not belong to, at the costs of `sah_cost`.
+    /// End-point overlap (Aila, Karras, Laine: *On quality metrics of bounding volume hierarchies*, HPG 2013), of trees
+    /// over meshes: the cost of the boxes around a ray's end point that do not belong to the surface there, at the
+    /// costs of `sah_cost`.
     pub epo: Option<f64>,
     /// The standard error of `epo`; absent if it was computed from all triangles.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub epo_standard_error: Option<f64>,
-    /// The triangles that `epo` was estimated from, chosen by area and by the seed of the run;
-    /// absent if it was computed from all.
+    /// How many triangles `epo` was estimated from, sampled by area with the seed of the run; absent if it was computed
+    /// from all.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub epo_samples: Option<u64>,
 }
 
-/// A round of the time to the picture.
+/// A round of building and rendering the whole picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PictureRound {
     /// Wall time of the build in nanoseconds.

@@ -11,10 +11,10 @@ pub struct Sweep {
     pub mesh: String,
     /// The measurements, by growing size.
     pub points: Vec<SweepPoint>,
-    /// The structures that left before the largest size.
+    /// The structures that stopped before the largest size.
     pub dropped: Vec<Dropped>,
-    /// Answers that were compared with those of another structure, bit for bit, over all sizes; 0
-    /// in older records, which compared none.
+    /// Results that were compared with those of another structure, bit for bit, over all sizes; 0 in older records,
+    /// which compared none.
     #[serde(default)]
     pub rays_checked: u64,
 }
@@ -38,16 +38,16 @@ pub struct SweepPoint {
     pub index_bytes: u64,
 }
 
-/// A structure that did not go on to larger meshes.
+/// A structure that stopped before the largest size.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Dropped {
     /// The structure.
     pub structure: String,
-    /// The size at which it left, in triangles.
+    /// The size at which it stopped, in triangles.
     pub triangles: u64,
     /// Why, in words.
     pub reason: String,
-    /// Whether it failed or its answers differed, rather than took too long; never of a yardstick.
+    /// Whether it failed or its results differed; false if it was too slow, and for peers.
     #[serde(default)]
     pub failed: bool,
 }

@@ -4,6 +4,7 @@ use colorous::INFERNO;
 
 use crate::image_io::Picture;
 use crate::math::Color;
+use crate::record::Spacing;
 
 /// The numbers at the ends of a colour scale, and their spacing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,16 +15,6 @@ pub struct Scale {
     pub high: f32,
     /// The spacing of the numbers between them.
     pub spacing: Spacing,
-}
-
-/// How a scale is divided.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Spacing {
-    /// Equal steps are equal differences.
-    #[default]
-    Linear,
-    /// Equal steps are equal factors.
-    Logarithmic,
 }
 
 impl Scale {

@@ -48,7 +48,7 @@ mod view;
 mod view_rays;
 mod wave;
 
-pub use color_map::{Scale, Spacing, heat_picture};
+pub use color_map::{Scale, heat_picture};
 pub use crop::Crop;
 pub use image::Image;
 pub use light_samples::{LightSamples, SampleAssignment};
@@ -56,6 +56,8 @@ pub use observer::{Observer, Silent};
 pub use rendering::{Rendering, render};
 pub use sampling::Sampling;
 pub use settings::Settings;
-pub use stats::{ClassStats, RayClass, RenderStats};
+pub use stats::{ClassStats, RenderStats};
 pub use times::{Stage, StageTimes};
 pub use view::View;
+
+pub use crate::record::{RayClass, Spacing};

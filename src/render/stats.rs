@@ -4,36 +4,7 @@ use std::time::Duration;
 
 use crate::counters::Counts;
 
-use super::StageTimes;
-
-/// What a ray is sent for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RayClass {
-    /// From the eye through a pixel.
-    View,
-    /// From a surface to a light.
-    Shadow,
-    /// Along a mirror direction.
-    Mirror,
-    /// Through a surface.
-    Refraction,
-}
-
-impl RayClass {
-    /// All classes, in the order of reports.
-    pub const ALL: [Self; 4] = [Self::View, Self::Shadow, Self::Mirror, Self::Refraction];
-
-    /// The name in reports.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::View => "view",
-            Self::Shadow => "shadow",
-            Self::Mirror => "mirror",
-            Self::Refraction => "refraction",
-        }
-    }
-}
+use super::{RayClass, StageTimes};
 
 /// The rays of a class.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -49,7 +20,7 @@ pub struct ClassStats {
 /// All rays of a rendering.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RenderStats {
-    classes: [ClassStats; 4],
+    classes: [ClassStats; RayClass::ALL.len()],
     /// What the threads spent their time on.
     pub thread_times: StageTimes,
     /// Wall time of the rendering, the structure's build excluded.

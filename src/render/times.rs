@@ -19,7 +19,7 @@ pub enum Stage {
 }
 
 impl Stage {
-    /// All stages, in the order of reports.
+    /// All stages of a rendering, in the order of reports.
     pub const ALL: [Self; 7] = [
         Self::Tracing(RayClass::View),
         Self::Tracing(RayClass::Shadow),
@@ -38,6 +38,8 @@ impl Stage {
             Self::Tracing(RayClass::Shadow) => "tracing shadow rays",
             Self::Tracing(RayClass::Mirror) => "tracing mirror rays",
             Self::Tracing(RayClass::Refraction) => "tracing refraction rays",
+            Self::Tracing(RayClass::Diffuse) => "tracing diffuse rays",
+            Self::Tracing(RayClass::Random) => "tracing random rays",
             Self::MakingRays => "making rays",
             Self::Shading => "shading",
             Self::Rest => "the rest",
@@ -46,17 +48,17 @@ impl Stage {
 
     fn index(self) -> usize {
         match self {
-            Self::Tracing(class) => class as usize,
-            Self::MakingRays => 4,
-            Self::Shading => 5,
-            Self::Rest => 6,
+            Self::MakingRays => 0,
+            Self::Shading => 1,
+            Self::Rest => 2,
+            Self::Tracing(class) => 3 + class as usize,
         }
     }
 }
 
 /// Time by stage, the sum over all threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct StageTimes([Duration; 7]);
+pub struct StageTimes([Duration; 3 + RayClass::ALL.len()]);
 
 impl StageTimes {
     /// The time of a stage.

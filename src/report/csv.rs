@@ -1,16 +1,16 @@
-//! Record → CSV: a line for each scene, structure and class of rays, with every figure there is.
+//! Record → CSV: a line for each scene, structure and class of rays, with numbers in full precision.
 //!
-//! By RFC 4180, with a heading line. A structure that traced nothing has one line with an empty
-//! class, so that it is not missing.
+//! The form is that of RFC 4180 with a heading line. A structure that traced nothing has one line with an empty class,
+//! so that it is not missing.
 
 mod sampling;
 
-pub use sampling::write_sampling;
+pub(super) use sampling::write_sampling;
 
+use super::Report;
 use super::numbers::exact;
-use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures};
-use crate::record::statistics::Estimate;
-use crate::record::{Comparison, Memory, SceneRecord, Status, StructureRecord};
+use crate::analysis::{ClassFigures, SceneFigures, StructureFigures};
+use crate::record::{Estimate, Memory, SceneRecord, Status, StructureRecord};
 
 const HEADS: [&str; 37] = [
     "scene",
@@ -52,12 +52,10 @@ const HEADS: [&str; 37] = [
     "picture_rounds",
 ];
 
-/// Writes the table. Numbers read back as they are in the JSON's `derived`.
-#[must_use]
-pub fn write(comparison: &Comparison) -> String {
-    let derived = Derived::of(comparison);
+/// Writes the table. Its numbers read back equal to those in the JSON's `derived`.
+pub(super) fn write(report: &Report<'_>) -> String {
     let mut text = line(HEADS.map(str::to_owned));
-    for (scene, figures) in comparison.scenes.iter().zip(&derived.scenes) {
+    for (scene, figures) in report.comparison.scenes.iter().zip(&report.analysis.scenes) {
         for (structure, own) in scene.structures.iter().zip(&figures.structures) {
             if own.classes.is_empty() {
                 text += &line(row(scene, figures, structure, own, None));
@@ -126,7 +124,7 @@ fn row(
     ]
 }
 
-/// A status in one word, as in the JSON.
+/// A status as in the JSON.
 fn status(status: &Status) -> &'static str {
     match status {
         Status::Ok => "ok",

@@ -1,47 +1,47 @@
-//! Record → Markdown: verdict, proof, tables, for places where a page of HTML cannot go.
+//! Record → Markdown: verdict, proof and tables, for places that do not show HTML.
 
 use std::fmt::Write;
 
+use super::Report;
 use super::limits::limits;
 use super::numbers;
 use super::sampling_verdict::sampling_verdict;
 use super::tables::{self, Cell, Table};
-use super::verdict::verdict_of;
-use crate::record::derived::{Derived, SceneFigures};
+use super::verdict::verdict;
+use crate::analysis::SceneFigures;
 use crate::record::{Comparison, SceneRecord};
 
 /// Writes the report. Pictures are linked as the files that the record names.
-#[must_use]
-pub fn write(comparison: &Comparison) -> String {
-    let derived = Derived::of(comparison);
-    let mut text = format!("# srt compares\n\n{}\n", escaped(&verdict_of(comparison, &derived)));
+pub(super) fn write(report: &Report<'_>) -> String {
+    let Report { comparison, analysis, .. } = report;
+    let mut text = format!("# srt compares\n\n{}\n", escaped(&verdict(report)));
     if comparison.run.partial {
         text += "\n**Partial: the comparison was stopped before its plan was done.**\n";
     }
-    add_table(&tables::overall_table(comparison, &derived), &mut text);
+    add_table(&tables::overall_table(report), &mut text);
     add_baseline(comparison, &mut text);
     add_table(&tables::proof_matrix(comparison), &mut text);
-    for (scene, figures) in comparison.scenes.iter().zip(&derived.scenes) {
+    for (scene, figures) in comparison.scenes.iter().zip(&analysis.scenes) {
         add_scene(scene, figures, comparison.run.options.threads, &mut text);
     }
-    for (sweep, figures) in comparison.sweeps.iter().zip(&derived.sweeps) {
+    for (sweep, figures) in comparison.sweeps.iter().zip(&analysis.sweeps) {
         let _ = write!(text, "\n## Growth: {}\n", escaped(&sweep.mesh));
         tables::growth_tables(sweep, figures).iter().for_each(|table| add_table(table, &mut text));
     }
     if let Some(chapter) = &comparison.sampling {
         let default = escaped(&chapter.default);
         let _ = write!(text, "\n## Sampling\n\n");
-        if let Some(verdict) = sampling_verdict(comparison, &derived) {
+        if let Some(verdict) = sampling_verdict(report) {
             let _ = write!(text, "{} ", escaped(&verdict));
         }
         let _ = writeln!(text, "The default is {default}.");
-        tables::sampling_tables(chapter, &derived)
+        tables::sampling_tables(chapter, analysis)
             .iter()
             .for_each(|table| add_table(table, &mut text));
     }
     add_run(comparison, &mut text);
     text += "\n## Limits and bias\n\n";
-    for limit in limits(comparison, &derived) {
+    for limit in limits(report) {
         let _ = writeln!(text, "* {}", escaped(&limit));
     }
     text
@@ -98,7 +98,7 @@ fn add_run(comparison: &Comparison, text: &mut String) {
     }
 }
 
-/// A table under its title; without lines, nothing.
+/// A table under its title; nothing without rows.
 fn add_table(table: &Table, text: &mut String) {
     if table.rows.is_empty() {
         return;
@@ -125,7 +125,7 @@ fn cell(cell: &Cell) -> String {
     }
 }
 
-/// Text in which Markdown sees no markup.
+/// Text without Markdown markup.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

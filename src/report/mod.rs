@@ -1,32 +1,116 @@
 //! Record → bytes: JSON, CSV, Markdown, HTML and text for a terminal.
 //!
-//! Everything is made from a [`Comparison`](crate::record::Comparison) alone, so an old record
-//! gives the same report again. Knows no files and traces no rays: who calls decides where bytes
-//! go. All forms take their figures from [`Derived`](crate::record::derived::Derived) and round
-//! them in one place, so they say the same numbers.
+//! A [`Report`] is made from a [`Comparison`] alone, so an old record gives the same report again. It computes the
+//! [`Analysis`] of the record once and writes every form from it. All forms round numbers in one place, so they print
+//! the same ones. Nothing here traces a ray or opens a file: the caller decides where the bytes go.
 //!
 //! ```
 //! use srt::record::{Comparison, Run};
-//! use srt::report::{html, json, verdict};
+//! use srt::report::{Pictures, Report, read_json};
 //!
 //! let comparison = Comparison::new(Run::default(), "none");
-//! assert_eq!(verdict(&comparison), "nothing was traced; no pictures were compared.");
-//! let text = json::write(&comparison)?;
-//! assert_eq!(json::read(&text)?, comparison);
-//! assert!(html::write(&comparison, &html::Pictures::new()).starts_with("<!DOCTYPE html>"));
+//! let report = Report::new(&comparison);
+//! assert_eq!(report.verdict(), "nothing was traced; no pictures were compared.");
+//! assert_eq!(read_json(&report.json()?)?, comparison);
+//! assert!(report.html(&Pictures::new()).starts_with("<!DOCTYPE html>"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod csv;
-pub mod html;
-pub mod json;
+mod csv;
+mod html;
+mod json;
 mod limits;
-pub mod markdown;
+mod markdown;
 mod numbers;
 mod plot;
 mod sampling_verdict;
 mod tables;
-pub mod terminal;
+mod terminal;
 mod verdict;
 
-pub use verdict::verdict;
+use std::collections::BTreeMap;
+
+use crate::analysis::Analysis;
+use crate::record::Comparison;
+
+pub use json::{ReadError, read as read_json};
+
+/// The bytes of the picture files that a record names, by these names.
+pub type Pictures = BTreeMap<String, Vec<u8>>;
+
+/// A record and its analysis, ready to be written in every form.
+#[derive(Clone, Debug)]
+pub struct Report<'a> {
+    comparison: &'a Comparison,
+    analysis: Analysis,
+}
+
+impl<'a> Report<'a> {
+    /// Analyses a record.
+    #[must_use]
+    pub fn new(comparison: &'a Comparison) -> Self {
+        Self { comparison, analysis: Analysis::of(comparison) }
+    }
+
+    /// The record.
+    #[must_use]
+    pub fn comparison(&self) -> &'a Comparison {
+        self.comparison
+    }
+
+    /// The comparison in one sentence: which structure is how many times as fast as the base, on which rays, with which
+    /// interval, and whether the pictures are equal.
+    ///
+    /// It is about the first scene with enough rounds, about view rays if any were traced, and about the fastest
+    /// structure; without scenes, about how cost grows. If results differ it states only that, because times of unequal
+    /// work cannot be compared.
+    #[must_use]
+    pub fn verdict(&self) -> String {
+        verdict::verdict(self)
+    }
+
+    /// Human-readable JSON: the record's own fields and, in `derived`, its analysis for other programs. [`read_json`]
+    /// computes that anew.
+    ///
+    /// # Errors
+    /// None that a record can cause.
+    pub fn json(&self) -> Result<String, serde_json::Error> {
+        json::write(self)
+    }
+
+    /// A CSV table with a line for each scene, structure and class of rays.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        csv::write(self)
+    }
+
+    /// A CSV table of the chapter on sampling; `None` without that chapter.
+    #[must_use]
+    pub fn sampling_csv(&self) -> Option<String> {
+        csv::write_sampling(self)
+    }
+
+    /// A Markdown page. Pictures are linked as the files that the record names.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        markdown::write(self)
+    }
+
+    /// A self-contained HTML page. A picture that is not among `pictures` is reported as missing.
+    #[must_use]
+    pub fn html(&self, pictures: &Pictures) -> String {
+        html::write(self, pictures)
+    }
+
+    /// Text for a terminal: a table for each scene, then the verdicts.
+    #[must_use]
+    pub fn terminal(&self) -> String {
+        terminal::write(self)
+    }
+
+    /// Text for a terminal: what changed against the baseline; `None` if the record has none.
+    #[must_use]
+    pub fn terminal_changes(&self) -> Option<String> {
+        self.comparison.baseline.as_ref().map(terminal::write_changes)
+    }
+}

@@ -1,11 +1,11 @@
-//! Numbers as reports print them: the one place that rounds, so that all forms say the same.
+//! Numbers as reports print them. Only this file rounds, so that all forms print the same numbers.
 //!
-//! Tables show three or four figures with a unit; CSV and JSON show every figure there is. A
-//! spread `low–high` has the decimals and the unit of the median beside it.
+//! Tables show three or four digits with a unit; CSV and JSON have numbers in full precision. A spread `low–high` has
+//! the decimals and the unit of its median.
 
-use crate::record::statistics::Estimate;
+use crate::record::Estimate;
 
-/// What stands where there is no number.
+/// What is shown in place of a missing number.
 pub(super) const NOTHING: &str = "–";
 
 /// A unit and how many of the base unit it is.
@@ -19,7 +19,7 @@ pub(super) const BYTES: &[Unit] =
 /// Factors of counts, largest first.
 pub(super) const COUNT: &[Unit] = &[("G", 1e9), ("M", 1e6), ("k", 1e3), ("", 1.0)];
 
-/// Decimals that show a number with three figures, at most `most` of them.
+/// The decimals of a number with three digits, at most `most`.
 pub(super) fn decimals(value: f64, most: usize) -> usize {
     let enough = match value.abs() {
         v if v >= 99.95 => 0,
@@ -32,7 +32,7 @@ pub(super) fn decimals(value: f64, most: usize) -> usize {
     enough.min(most)
 }
 
-/// A number with three figures, in groups of three digits.
+/// A number with three digits or more, in groups of three.
 pub(super) fn figures(value: f64) -> String {
     grouped(&format!("{value:.*}", decimals(value, 5)))
 }
@@ -42,7 +42,7 @@ pub(super) fn whole(n: u64) -> String {
     grouped(&n.to_string())
 }
 
-/// A number of things, in the plural unless it is one.
+/// A number of things, in the plural unless it is 1.
 pub(super) fn things(n: u64, thing: &str) -> String {
     format!("{} {thing}{}", whole(n), if n == 1 { "" } else { "s" })
 }
@@ -89,7 +89,7 @@ pub(super) fn count(n: u64) -> String {
     if n < 1_000 { n.to_string() } else { with_unit(n as f64, COUNT) }
 }
 
-/// A number of rays that was computed: `1.23 M`.
+/// A computed number of rays: `1.23 M`.
 pub(super) fn about(n: f64) -> String {
     with_unit(n, COUNT)
 }
@@ -99,12 +99,12 @@ pub(super) fn percent(share: f64) -> String {
     format!("{:.1}\u{a0}%", share * 100.0)
 }
 
-/// A share that may be far below a percent, with three figures.
+/// A share that may be far below a percent, with three digits.
 pub(super) fn small_percent(share: f64) -> String {
     format!("{}\u{a0}%", figures(share * 100.0))
 }
 
-/// A median alone, with three figures.
+/// A median without its interval, with three digits.
 pub(super) fn median(estimate: Estimate) -> String {
     figures(estimate.median)
 }
@@ -124,7 +124,7 @@ pub(super) fn time_estimate(estimate: Estimate) -> (String, Option<String>) {
     (format!("{}\u{a0}{name}", median(scaled)), spread(scaled))
 }
 
-/// Every figure of a number, such that reading it gives the same number.
+/// A number in full precision: reading it gives the same number.
 pub(super) fn exact(value: f64) -> String {
     format!("{value}")
 }
@@ -132,7 +132,7 @@ pub(super) fn exact(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::statistics::Interval;
+    use crate::record::Interval;
 
     #[test]
     fn three_figures_and_a_unit() {

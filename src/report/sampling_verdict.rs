@@ -1,13 +1,14 @@
-//! The chapter on sampling in one plain sentence.
+//! The chapter on sampling in one sentence.
 
-use super::numbers;
-use crate::record::derived::{Derived, NoiseFigures, Pairing};
-use crate::record::statistics::median;
-use crate::record::{Comparison, SamplingChapter};
+use super::{Report, numbers};
+use crate::analysis::statistics::median;
+use crate::analysis::{Analysis, NoiseFigures, Pairing};
+use crate::record::SamplingChapter;
 
-/// How much noise a method leaves beside the other, and what sampling takes of a frame; over
-/// several scenes, the medians. `None` without frames.
-pub(super) fn sampling_verdict(comparison: &Comparison, derived: &Derived) -> Option<String> {
+/// The noise of a method relative to `independent`, and its share of a frame; the medians over several scenes. `None`
+/// without frames.
+pub(super) fn sampling_verdict(report: &Report<'_>) -> Option<String> {
+    let Report { comparison, analysis, .. } = report;
     let chapter = comparison.sampling.as_ref()?;
     let first = chapter.parts.first()?;
     let own = first.sampling.as_str();
@@ -19,7 +20,7 @@ pub(super) fn sampling_verdict(comparison: &Comparison, derived: &Derived) -> Op
                 && figures.pixel_samples == f64::from(samples);
             is_own.then_some(figures.ratio?.median)
         };
-        median(&derived.noise.iter().filter_map(ratio).collect::<Vec<_>>()).map(numbers::figures)
+        median(&analysis.noise.iter().filter_map(ratio).collect::<Vec<_>>()).map(numbers::figures)
     };
     let mut scenes: Vec<&str> = chapter.parts.iter().map(|part| part.scene.as_str()).collect();
     scenes.dedup();
@@ -33,7 +34,7 @@ pub(super) fn sampling_verdict(comparison: &Comparison, derived: &Derived) -> Op
     Some(format!(
         "Sampling: {own} leaves {for_samples}\u{a0}× the noise of independent with {samples} view \
          samples{for_time} ({place}){}.",
-        share(chapter, derived, own, &scenes)
+        share(chapter, analysis, own, &scenes)
             .map_or_else(String::new, |share| format!(", and takes {share} of a frame")),
     ))
 }
@@ -41,12 +42,12 @@ pub(super) fn sampling_verdict(comparison: &Comparison, derived: &Derived) -> Op
 /// All parts of a method's frame together.
 fn share(
     chapter: &SamplingChapter,
-    derived: &Derived,
+    analysis: &Analysis,
     sampling: &str,
     scenes: &[&str],
 ) -> Option<String> {
     let of_scene = |scene: &&str| -> Option<f64> {
-        let parts = chapter.parts.iter().zip(&derived.shares);
+        let parts = chapter.parts.iter().zip(&analysis.shares);
         let own = parts.filter(|(part, _)| part.scene == *scene && part.sampling == sampling);
         own.map(|(_, figures)| figures.share).sum()
     };

@@ -1,46 +1,44 @@
-//! Record → text for a terminal: one aligned table a scene, and the verdict.
+//! Record → text for a terminal: an aligned table for each scene, and the verdict.
 
 use std::fmt::Write;
 
+use super::Report;
 use super::numbers::{self, NOTHING};
 use super::sampling_verdict::sampling_verdict;
 use super::tables;
-use super::verdict::verdict_of;
-use crate::record::baseline::Changes;
-use crate::record::derived::{Derived, SceneFigures, StructureFigures};
-use crate::record::statistics::Estimate;
-use crate::record::{Comparison, RayClass, SceneRecord, Status};
+use super::verdict::verdict;
+use crate::analysis::baseline::{improvements, regressions};
+use crate::analysis::{SceneFigures, StructureFigures};
+use crate::record::{Baseline, Estimate, RayClass, SceneRecord, Status};
 
-/// Million rays a second by class, build, memory and time to the picture of each structure;
-/// then the verdicts.
-#[must_use]
-pub fn write(comparison: &Comparison) -> String {
-    let derived = Derived::of(comparison);
+/// Million rays per second by class, build, memory and time to the picture of each structure; then the verdicts.
+pub(super) fn write(report: &Report<'_>) -> String {
+    let Report { comparison, analysis, .. } = report;
     let mut text = String::new();
-    for (scene, figures) in comparison.scenes.iter().zip(&derived.scenes) {
+    for (scene, figures) in comparison.scenes.iter().zip(&analysis.scenes) {
         let triangles = numbers::count(scene.triangles);
-        let _ = writeln!(text, "{} ({triangles} triangles), million rays a second", scene.name);
+        let _ = writeln!(text, "{} ({triangles} triangles), million rays per second", scene.name);
         text += &aligned(&scene_rows(scene, figures));
         text.push('\n');
     }
-    text += &verdict_of(comparison, &derived);
+    text += &verdict(report);
     text.push('\n');
-    if let Some(verdict) = sampling_verdict(comparison, &derived) {
+    if let Some(verdict) = sampling_verdict(report) {
         text += &verdict;
         text.push('\n');
     }
     text
 }
 
-/// What changed against a baseline: each change with its interval, then the doubts.
-#[must_use]
-pub fn write_changes(changes: &Changes, threshold: f64) -> String {
+/// What changed against a baseline: warnings, each change with its interval, then the doubts.
+pub(super) fn write_changes(baseline: &Baseline) -> String {
+    let Baseline { threshold, outcome: changes } = baseline;
     let warnings: String =
         changes.warnings.iter().map(|warning| format!("WARNING: {warning}\n")).collect();
     let mut text = String::new();
     for (word, list) in [
-        ("slower", changes.regressions(threshold).collect::<Vec<_>>()),
-        ("faster", changes.improvements(threshold).collect()),
+        ("slower", regressions(baseline).collect::<Vec<_>>()),
+        ("faster", improvements(baseline).collect()),
     ] {
         for change in list {
             let (times, spread) =
@@ -56,10 +54,12 @@ pub fn write_changes(changes: &Changes, threshold: f64) -> String {
         }
     }
     if text.is_empty() {
-        let percent = numbers::percent(threshold);
+        let percent = numbers::percent(*threshold);
         let n = changes.changes.len();
-        let _ =
-            writeln!(text, "nothing of {n} measurements changed by more than {percent} for sure");
+        let _ = writeln!(
+            text,
+            "none of {n} measurements changed by more than {percent} at 95 % confidence"
+        );
     }
     for doubt in &changes.doubts {
         let _ = writeln!(text, "note: {doubt}");
@@ -96,21 +96,21 @@ fn speedup(own: &StructureFigures, class: RayClass) -> Option<String> {
     own.class(class)?.speedup.map(numbers::median)
 }
 
-/// Whether the answers are equal, or what went wrong.
+/// Whether the results are equal, or what went wrong.
 fn remark(scene: &SceneRecord, structure: &str, status: &Status) -> String {
     let proof = scene.proof.as_ref();
-    let yardstick = proof.and_then(|proof| proof.yardstick(structure));
-    let alone = proof.is_some_and(|proof| proof.structures.len() + proof.yardsticks.len() == 1);
+    let peer = proof.and_then(|proof| proof.peer(structure));
+    let is_only = proof.is_some_and(|proof| proof.structures.len() + proof.peers.len() == 1);
     let proof = proof.and_then(|proof| proof.structure(structure));
     match (status, proof) {
         (Status::Failed { message }, _) => format!("failed: {message}"),
         (Status::TooSlow { .. }, _) => "too slow".to_owned(),
         (_, Some(entry)) if !entry.holds() => "DIFFERS".to_owned(),
         (Status::Stopped, _) => "stopped".to_owned(),
-        (Status::Ok, Some(_)) if alone => "reference".to_owned(),
+        (Status::Ok, Some(_)) if is_only => "reference".to_owned(),
         (Status::Ok, Some(entry)) if entry.picture_equal == Some(true) => "equal".to_owned(),
         (Status::Ok, Some(entry)) if entry.rays_checked > 0 => "hits equal".to_owned(),
-        (Status::Ok, _) => yardstick.map_or_else(|| NOTHING.to_owned(), tables::agreement),
+        (Status::Ok, _) => peer.map_or_else(|| NOTHING.to_owned(), tables::agreement),
     }
 }
 
@@ -118,8 +118,7 @@ fn or_dash(text: Option<String>) -> String {
     text.unwrap_or_else(|| NOTHING.to_owned())
 }
 
-/// Columns as wide as their widest cell: the first and the last from the left, the others from the
-/// right.
+/// Columns as wide as their widest cell. The first and the last are aligned left, the others right.
 fn aligned(rows: &[Vec<String>]) -> String {
     let columns = rows.first().map_or(0, Vec::len);
     let width = |column: usize| {

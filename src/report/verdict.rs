@@ -1,45 +1,36 @@
 //! The comparison in one plain sentence.
 
-use super::numbers;
-use crate::record::derived::{ClassFigures, Derived, SceneFigures, StructureFigures, SweepFigures};
+use super::{Report, numbers};
+use crate::analysis::{ClassFigures, SceneFigures, StructureFigures, SweepFigures};
 use crate::record::{Comparison, Proof, RayClass, SceneRecord, Status, StructureRecord};
 
-/// Scenes that are named as not proved; more are counted.
+/// How many scenes without a whole proof are named; further ones are counted.
 const NAMED_SCENES: usize = 3;
 
-/// Who is how much faster than whom, at what, how sure that is, and whether the pictures are equal.
-///
-/// It speaks of the first scene with enough rounds, of view rays if there were any, and of the
-/// fastest structure; without scenes, of how cost grows. If anything differs, it says that instead,
-/// because unequal work cannot be compared.
-#[must_use]
-pub fn verdict(comparison: &Comparison) -> String {
-    verdict_of(comparison, &Derived::of(comparison))
-}
-
-pub(super) fn verdict_of(comparison: &Comparison, derived: &Derived) -> String {
-    match headline(comparison, derived) {
+/// The whole sentence: see [`Report::verdict`].
+pub(super) fn verdict(report: &Report<'_>) -> String {
+    match headline(report) {
         (claim, Some(rest)) => format!("{claim}; {rest}"),
         (claim, None) => claim,
     }
 }
 
-/// The verdict's claim, and what else it says: that the speed is one of equal work, or of how much
-/// that was not shown.
-pub(super) fn headline(comparison: &Comparison, derived: &Derived) -> (String, Option<String>) {
+/// The verdict's claim, and the rest: of how many pictures equality was proved.
+pub(super) fn headline(report: &Report<'_>) -> (String, Option<String>) {
+    let Report { comparison, analysis, .. } = report;
     let partial = if comparison.run.partial { "Stopped early: " } else { "" };
     if let Some(difference) = difference(comparison) {
         return (format!("{partial}{difference}"), None);
     }
-    let alone = comparison.scenes.is_empty();
-    let growth = || derived.sweeps.iter().filter(|_| alone).find_map(growth);
-    let scenes = derived.scenes.iter().zip(&comparison.scenes);
+    let without_scenes = comparison.scenes.is_empty();
+    let growth = || analysis.sweeps.iter().filter(|_| without_scenes).find_map(growth);
+    let scenes = analysis.scenes.iter().zip(&comparison.scenes);
     let speeds: Vec<_> = scenes.filter_map(|(figures, scene)| speed(figures, scene)).collect();
-    let sure = speeds.iter().find(|speed| speed.is_ok()).or(speeds.first()).cloned();
-    let speed = sure.map(|speed| speed.unwrap_or_else(|too_few| too_few));
+    let chosen = speeds.iter().find(|speed| speed.is_ok()).or(speeds.first()).cloned();
+    let speed = chosen.map(|speed| speed.unwrap_or_else(|too_few| too_few));
     let speed = speed.or_else(growth).unwrap_or_else(|| {
-        let nothing = "no two structures were traced beside each other";
-        if derived.scenes.iter().any(|scene| scene.base.is_some()) {
+        let nothing = "no two structures traced the same rays";
+        if analysis.scenes.iter().any(|scene| scene.base.is_some()) {
             nothing.to_owned()
         } else {
             "nothing was traced".to_owned()
@@ -52,8 +43,7 @@ pub(super) fn headline(comparison: &Comparison, derived: &Derived) -> (String, O
     }
 }
 
-/// The structures that failed, each once, with why the first time. A yardstick that does not know
-/// a scene's shapes was not asked for more.
+/// The structures that failed, each once, with the first reason. Peers are left out: they do not support all shapes.
 fn failures(comparison: &Comparison) -> Option<String> {
     let mut failures: Vec<(&str, String, &str)> = Vec::new();
     let mut add = |name, place, message| {
@@ -62,7 +52,7 @@ fn failures(comparison: &Comparison) -> Option<String> {
         }
     };
     for scene in &comparison.scenes {
-        for row in scene.structures.iter().filter(|row| !row.yardstick) {
+        for row in scene.structures.iter().filter(|row| !row.peer) {
             if let Status::Failed { message } = &row.status {
                 add(row.name.as_str(), scene.name.clone(), message.as_str());
             }
@@ -82,8 +72,7 @@ fn failures(comparison: &Comparison) -> Option<String> {
     (!texts.is_empty()).then(|| texts.join("; "))
 }
 
-/// The fastest structure of a scene against its base, or that there were too few rounds to say so;
-/// yardsticks are not in the running.
+/// The fastest structure of a scene against its base, peers left out; an error if there were too few rounds.
 fn speed(scene: &SceneFigures, record: &SceneRecord) -> Option<Result<String, String>> {
     let base = scene.base.as_deref()?;
     let class = scene.classes().into_iter().next()?;
@@ -91,12 +80,12 @@ fn speed(scene: &SceneFigures, record: &SceneRecord) -> Option<Result<String, St
     let traced = scene.structures.iter().filter(|structure| structure.class(class).is_some());
     let others = traced.count() > 1;
     let scene = &scene.scene;
-    let too_few = || Err(format!("too few rounds were made in {scene} to say which is how fast"));
+    let too_few = || Err(format!("{scene} has too few rounds for intervals"));
     if fastest.structure == base {
-        let sure = figures.ns_per_ray.is_some_and(|estimate| estimate.interval.is_some());
+        let has_interval = figures.ns_per_ray.is_some_and(|estimate| estimate.interval.is_some());
         let none =
             format!("no structure traces {} rays of {scene} faster than {base}", class.name());
-        return others.then(|| if sure { Ok(none) } else { too_few() });
+        return others.then(|| if has_interval { Ok(none) } else { too_few() });
     }
     let speedup = figures.speedup?;
     let Some(spread) = numbers::spread(speedup) else { return Some(too_few()) };
@@ -135,12 +124,12 @@ fn fastest<'a>(
     record: &SceneRecord,
     class: RayClass,
 ) -> Option<(&'a StructureFigures, &'a ClassFigures)> {
-    let is_yardstick = |name: &str| record.structure(name).is_some_and(|row| row.yardstick);
+    let is_peer = |name: &str| record.structure(name).is_some_and(|row| row.peer);
     let time = |figures: &ClassFigures| figures.ns_per_ray.map(|estimate| estimate.median);
     scene
         .structures
         .iter()
-        .filter(|structure| !is_yardstick(&structure.structure))
+        .filter(|structure| !is_peer(&structure.structure))
         .filter_map(|structure| Some((structure, structure.class(class)?)))
         .filter(|(_, figures)| time(figures).is_some())
         .min_by(|(_, a), (_, b)| {
@@ -149,14 +138,14 @@ fn fastest<'a>(
         })
 }
 
-/// The first structure whose answers differ, if any.
+/// The first structure whose results differ, if any.
 fn difference(comparison: &Comparison) -> Option<String> {
     let proofs = comparison.scenes.iter().filter_map(|scene| Some((scene, scene.proof.as_ref()?)));
     for (scene, proof) in proofs {
         if let Some(entry) = proof.structures.iter().find(|entry| !entry.holds()) {
             return Some(format!(
-                "THE ANSWERS DIFFER: {} disagrees with {} on {} in {} and {}, so its speed \
-                 means nothing.",
+                "RESULTS DIFFER: {} disagrees with {} on {} in {} and {}, so its speed cannot be \
+                 compared.",
                 entry.structure,
                 proof.reference,
                 scene.name,
@@ -168,7 +157,7 @@ fn difference(comparison: &Comparison) -> Option<String> {
     None
 }
 
-/// What was shown to be equal: of how many pictures, and why not of the others.
+/// How many pictures were proved equal, and why the others were not.
 fn equality(scenes: &[SceneRecord]) -> String {
     let compared = |scene: &SceneRecord| {
         let equal = |proof: &Proof| proof.structures.iter().any(|e| e.picture_equal == Some(true));
@@ -187,15 +176,15 @@ fn equality(scenes: &[SceneRecord]) -> String {
         others => format!(" and {others} more"),
     };
     format!(
-        "{proved} of {} pictures proved equal bit for bit, {} not compared whole: {}{others}",
+        "{proved} of {} pictures proved equal bit for bit, {} not compared in full: {}{others}",
         scenes.len(),
         unproved.len(),
         unproved[..unproved.len().min(NAMED_SCENES)].join(", "),
     )
 }
 
-/// A scene whose whole picture was not compared with every structure, and what the others made
-/// instead; `None` if all were.
+/// A scene whose picture was not compared in full with every structure, and what the others rendered instead; `None` if
+/// it was.
 fn unproved(scene: &SceneRecord) -> Option<String> {
     if scene.structures.len() < 2 {
         return Some(format!("{} (nothing to compare it with)", scene.name));

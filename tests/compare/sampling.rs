@@ -3,10 +3,10 @@
 use std::time::Duration;
 
 use srt::accel::BuildConfig;
+use srt::analysis::{Analysis, Pairing};
 use srt::compare::{Plan, Silent, run};
 use srt::image_io::Picture;
 use srt::math::Color;
-use srt::record::derived::{Derived, Pairing};
 use srt::record::{RoundRule, SamplingChapter};
 use srt::render::{self, Image, Sampling, Settings, render};
 use srt::scene::Scene;
@@ -29,40 +29,40 @@ fn scene(text: &str) -> Scene {
     Scene::new(&parse(text, &ParseOptions::default()).unwrap().description, vec![]).unwrap()
 }
 
-fn chapter(plan: &Plan) -> (SamplingChapter, Derived, Vec<String>) {
+fn chapter(plan: &Plan) -> (SamplingChapter, Analysis, Vec<String>) {
     let comparison = run(plan, &[named("bvh")], &Silent).unwrap().comparison;
-    let derived = Derived::of(&comparison);
-    (comparison.sampling.unwrap(), derived, comparison.notes)
+    let analysis = Analysis::of(&comparison);
+    (comparison.sampling.unwrap(), analysis, comparison.notes)
 }
 
 #[test]
 fn a_study_gives_figures_and_noise_that_falls() {
-    let (chapter, derived, _) = chapter(&study_plan());
+    let (chapter, analysis, _) = chapter(&study_plan());
     assert_eq!(chapter.default, Sampling::default().name());
-    assert_eq!(derived.operations.len(), 6);
-    for own in &derived.operations {
+    assert_eq!(analysis.operations.len(), 6);
+    for own in &analysis.operations {
         let ns = own.ns.unwrap().median;
         assert!(ns > 0.0 && ns.is_finite(), "{}: {ns}", own.operation);
     }
-    assert_eq!(derived.shares.len(), 4 + 2);
-    for own in &derived.shares {
+    assert_eq!(analysis.shares.len(), 4 + 2);
+    for own in &analysis.shares {
         let share = own.share.unwrap();
         assert!(share > 0.0 && share < 1.0, "{}: {share}", own.operation);
     }
     let converged = &chapter.converged[0];
     assert!(converged.passes >= 4 && converged.rmse > 0.0);
     for sampling in Sampling::ALL {
-        let is_own = |own: &&srt::record::derived::NoiseFigures| {
+        let is_own = |own: &&srt::analysis::NoiseFigures| {
             own.sampling == sampling.name() && own.pairing == Pairing::EqualSamples
         };
         let noise: Vec<f64> =
-            derived.noise.iter().filter(is_own).map(|own| own.rmse.median).collect();
+            analysis.noise.iter().filter(is_own).map(|own| own.rmse.median).collect();
         assert_eq!(noise.len(), 6);
         assert!(noise.windows(2).all(|pair| pair[1] < pair[0]), "{sampling:?}: {noise:?}");
         assert!(noise[5] > converged.rmse, "{noise:?} against {}", converged.rmse);
     }
-    let pairs = derived.noise.iter().filter(|own| own.pairing == Pairing::EqualTime);
-    assert!(pairs.count() >= 4, "{:?}", derived.noise);
+    let pairs = analysis.noise.iter().filter(|own| own.pairing == Pairing::EqualTime);
+    assert!(pairs.count() >= 4, "{:?}", analysis.noise);
 }
 
 #[test]
@@ -91,8 +91,8 @@ fn scenes_without_area_lights_are_left_out_and_named() {
     let mut plan = study_plan();
     plan.budget = Some(Duration::from_secs(2));
     plan.scenes[0].scene = scene(&SCENE.replace("arealight 0.7", "pointlight 0 0 0"));
-    let (chapter, derived, notes) = chapter(&plan);
-    assert!(derived.noise.is_empty() && chapter.parts.is_empty());
+    let (chapter, analysis, notes) = chapter(&plan);
+    assert!(analysis.noise.is_empty() && chapter.parts.is_empty());
     assert_eq!(chapter.costs.len(), 6);
     let told = "balls was left out of the study of sampling: it has no area light.";
     assert!(notes.iter().any(|note| note == told), "{notes:?}");

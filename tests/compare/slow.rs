@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use srt::accel::{Accel, Bounded, Build, Built, Exhaustive};
+use srt::analysis::Analysis;
 use srt::compare::{Plan, Silent, run};
 use srt::counters::Counters;
 use srt::math::{BoxRay, Ray};
-use srt::record::derived::Derived;
 use srt::record::{RayClass, RoundRule, Status};
 use srt::scene::Structure;
 
@@ -97,7 +97,7 @@ fn a_ratio_is_that_of_rays_that_both_traced() {
     let outcome = run(&short_plan(8.0), &[named("bvh"), slow], &Silent).unwrap();
     let scene = &outcome.comparison.scenes[0];
     let (bvh, slow) = (scene.structure("bvh").unwrap(), scene.structure("none").unwrap());
-    let figures = Derived::of(&outcome.comparison);
+    let figures = Analysis::of(&outcome.comparison);
     let (base, own) = (slow.class(RayClass::View).unwrap(), bvh.class(RayClass::View).unwrap());
     assert!(base.rays < own.rays, "{} and {}", base.rays, own.rays);
     let common = own.common.as_ref().unwrap();

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use srt::report::html;
+use srt::report::Report;
 
 use crate::sample;
 
-/// The page of a record, which is also left where a browser can look at it.
-fn page(name: &str, comparison: &srt::record::Comparison) -> String {
-    let page = html::write(comparison, &sample::pictures(comparison));
+/// The page of a record; it is also kept as a file for a look in a browser.
+pub(crate) fn page(name: &str, comparison: &srt::record::Comparison) -> String {
+    let page = Report::new(comparison).html(&sample::pictures(comparison));
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report");
     std::fs::create_dir_all(&folder).unwrap();
     std::fs::write(folder.join(format!("{name}.html")), &page).unwrap();
@@ -32,10 +32,10 @@ fn every_plot_is_there_and_named() {
     let page = page("full", &sample::full());
     let scene = [
         "speed-up over",
-        "million rays a second",
+        "million rays per second",
         "share of leaves by size",
         "build against trace",
-        "when a dearer build pays",
+        "when a slower build pays off",
     ];
     for title in scene {
         assert_eq!(page.matches(&format!(": {title}")).count() / 3, 2, "{title}");
@@ -53,7 +53,7 @@ fn every_plot_is_there_and_named() {
 }
 
 #[test]
-fn text_of_the_record_is_no_markup() {
+fn text_of_the_record_is_escaped() {
     let page = page("partial", &sample::partial());
     assert!(page.contains("memory &lt;here&gt;") && page.contains("&lt;16 &amp; more&gt;"));
     assert!(page.contains("Partial."));
@@ -67,14 +67,7 @@ fn a_record_of_nothing_is_a_page() {
 }
 
 #[test]
-fn a_missing_picture_is_said_to_be_missing() {
-    let page = html::write(&sample::full(), &BTreeMap::new());
-    assert!(page.contains("pictures/bunny.png") && page.contains("was not at hand"));
-}
-
-#[test]
-fn one_shape_and_colour_goes_with_each_structure_all_over_the_page() {
-    let mut comparison = sample::full();
-    comparison.scenes.swap(0, 1);
-    assert!(html::write(&comparison, &BTreeMap::new()).contains("class=\"mark s3\""));
+fn a_missing_picture_is_reported() {
+    let page = Report::new(&sample::full()).html(&BTreeMap::new());
+    assert!(page.contains("pictures/bunny.png") && page.contains("is missing"));
 }

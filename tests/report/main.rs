@@ -4,6 +4,7 @@
 
 mod baseline;
 mod html;
+mod looks;
 mod same_numbers;
 mod sample;
 mod sampling_numbers;

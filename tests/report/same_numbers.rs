@@ -1,15 +1,15 @@
-//! Markdown, CSV, HTML and JSON say the same numbers.
+//! Markdown, CSV, HTML and JSON have the same numbers.
 
 use std::collections::{BTreeMap, HashMap};
 
 use serde_json::Value;
 use srt::record::Comparison;
-use srt::report::{csv, html, json, markdown};
+use srt::report::Report;
 
 use crate::sample;
 
 pub(crate) fn derived(comparison: &Comparison) -> Value {
-    let text = json::write(comparison).unwrap();
+    let text = Report::new(comparison).json().unwrap();
     serde_json::from_str::<Value>(&text).unwrap()["derived"].clone()
 }
 
@@ -44,7 +44,7 @@ fn html_rows(page: &str) -> Vec<Vec<String>> {
 #[test]
 fn html_and_markdown_have_the_same_tables() {
     for comparison in [sample::full(), sample::partial()] {
-        let page = html::write(&comparison, &BTreeMap::new());
+        let page = Report::new(&comparison).html(&BTreeMap::new());
         let (before, rest) = page.split_once("<details").unwrap();
         let without_raw_rounds: String = rest
             .split("</details>")
@@ -52,7 +52,7 @@ fn html_and_markdown_have_the_same_tables() {
             .map(|part| part.split("<details").next().unwrap())
             .fold(before.to_owned(), |all, part| all + part);
         let mut from_html = html_rows(&without_raw_rounds);
-        let mut from_markdown = markdown_rows(&markdown::write(&comparison));
+        let mut from_markdown = markdown_rows(&Report::new(&comparison).markdown());
         // Facts are a list on the page: two cells to a line in Markdown.
         from_markdown.retain(|row| row.len() > 2);
         from_html.sort();
@@ -92,7 +92,7 @@ pub(crate) fn assert_estimate(text: &str, estimate: &Value) {
 #[test]
 fn markdown_prints_the_figures_of_the_json() {
     let comparison = sample::full();
-    let text = markdown::write(&comparison);
+    let text = Report::new(&comparison).markdown();
     let derived = derived(&comparison);
     let mut checked = 0;
     for scene in derived["scenes"].as_array().unwrap() {
@@ -124,7 +124,7 @@ fn markdown_prints_the_figures_of_the_json() {
 #[test]
 fn the_stages_of_builds_are_those_of_the_record() {
     let comparison = sample::full();
-    let text = markdown::write(&comparison);
+    let text = Report::new(&comparison).markdown();
     for scene in &comparison.scenes {
         let (_, chapter) = text.split_once(&format!("\n## {}\n", scene.name)).unwrap();
         let (_, table) = chapter.split_once("\n### Stages of the builds\n").unwrap();
@@ -140,8 +140,12 @@ fn the_stages_of_builds_are_those_of_the_record() {
                 let (share, _) = printed(row[3].strip_suffix("\u{a0}%").unwrap());
                 shares += share;
             }
-            let told = !structure.build.stages.is_empty();
-            assert!(!told || (shares - 100.0_f64).abs() < 0.3, "{shares} % of {}", structure.name);
+            let has_stages = !structure.build.stages.is_empty();
+            assert!(
+                !has_stages || (shares - 100.0_f64).abs() < 0.3,
+                "{shares} % of {}",
+                structure.name
+            );
         }
         assert_eq!(rows.next(), None);
     }
@@ -153,14 +157,14 @@ fn builds_of_a_single_stage_have_no_table_of_them() {
     for scene in &mut comparison.scenes {
         scene.structures.iter_mut().for_each(|structure| structure.build.stages.truncate(1));
     }
-    assert!(!markdown::write(&comparison).contains("Stages of the builds"));
-    assert!(!html::write(&comparison, &BTreeMap::new()).contains("Stages of the builds"));
+    assert!(!Report::new(&comparison).markdown().contains("Stages of the builds"));
+    assert!(!Report::new(&comparison).html(&BTreeMap::new()).contains("Stages of the builds"));
 }
 
 #[test]
 fn csv_has_every_figure_of_the_json() {
     for comparison in [sample::full(), sample::partial()] {
-        let text = csv::write(&comparison);
+        let text = Report::new(&comparison).csv();
         let mut lines = text.lines();
         let heads: Vec<&str> = lines.next().unwrap().split(',').collect();
         let rows: Vec<HashMap<&str, &str>> =

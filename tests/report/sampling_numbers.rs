@@ -1,10 +1,9 @@
-//! The chapter on sampling: Markdown and CSV say the numbers of the JSON. That HTML has Markdown's
-//! tables is shown for all chapters at once.
+//! The chapter on sampling: Markdown and CSV have the numbers of the JSON. `same_numbers` compares HTML and Markdown.
 
 use std::collections::HashMap;
 
 use serde_json::Value;
-use srt::report::{csv, markdown};
+use srt::report::Report;
 
 use crate::same_numbers::{
     assert_estimate, assert_printed, csv_estimate, derived, markdown_rows, same,
@@ -22,7 +21,7 @@ fn of_pairing<'a>(noise: &[&'a Value], pairing: &str) -> Vec<&'a Value> {
 #[test]
 fn markdown_prints_the_figures_of_the_json() {
     let comparison = sample::full();
-    let text = markdown::write(&comparison);
+    let text = Report::new(&comparison).markdown();
     let derived = derived(&comparison);
     let rows = |title: &str| {
         let (_, table) = text.split_once(&format!("\n### {title}\n")).unwrap();
@@ -63,7 +62,7 @@ fn text_of(value: &Value, field: &str) -> String {
 fn csv_has_every_figure_of_the_json() {
     let comparison = sample::full();
     let derived = derived(&comparison);
-    let text = csv::write_sampling(&comparison).unwrap();
+    let text = Report::new(&comparison).sampling_csv().unwrap();
     let mut lines = text.lines();
     let heads: Vec<&str> = lines.next().unwrap().split(',').collect();
     let rows: Vec<HashMap<&str, &str>> =
@@ -90,5 +89,5 @@ fn csv_has_every_figure_of_the_json() {
         same(row["pixel_samples"], &own["pixel_samples"]);
         same(row["ratio"], &own["ratio"]["median"]);
     }
-    assert!(csv::write_sampling(&sample::partial()).is_none());
+    assert!(Report::new(&sample::partial()).sampling_csv().is_none());
 }

@@ -1,25 +1,28 @@
-//! The verdict, the terminal's table, and what Markdown says beside its tables.
+//! The verdict, the terminal's table, and Markdown's sentences.
 
-use srt::record::derived::{Derived, OverallFigures};
+use srt::analysis::{Analysis, OverallFigures};
 use srt::record::{RayClass, Status};
-use srt::report::{html, markdown, terminal, verdict};
+use srt::report::{Pictures, Report};
 
 use crate::sample;
 
 #[test]
-fn the_verdict_is_one_plain_sentence() {
+fn the_verdict_is_one_sentence() {
     assert_eq!(
-        verdict(&sample::full()),
+        Report::new(&sample::full()).verdict(),
         "bvh traces view rays of bunny 431\u{a0}× (95\u{a0}%\u{a0}428–433) as fast as none; \
-         1 of 2 pictures proved equal bit for bit, 1 not compared whole: hall (no picture from \
+         1 of 2 pictures proved equal bit for bit, 1 not compared in full: hall (no picture from \
          none)."
     );
     assert_eq!(
-        verdict(&sample::partial()),
-        "Stopped early: THE ANSWERS DIFFER: cwbvh disagrees with none on bunny in 12 pixels and \
-         3 hits, so its speed means nothing."
+        Report::new(&sample::partial()).verdict(),
+        "Stopped early: RESULTS DIFFER: cwbvh disagrees with none on bunny in 12 pixels and 3 hits, \
+         so its speed cannot be compared."
     );
-    assert_eq!(verdict(&sample::minimal()), "nothing was traced; no pictures were compared.");
+    assert_eq!(
+        Report::new(&sample::minimal()).verdict(),
+        "nothing was traced; no pictures were compared."
+    );
 }
 
 #[test]
@@ -30,8 +33,8 @@ fn the_verdict_of_few_rounds_claims_no_interval() {
     for structure in &mut comparison.scenes[0].structures {
         structure.classes[0].rounds.truncate(2);
     }
-    let text = verdict(&comparison);
-    assert!(text.starts_with("too few rounds were made in bunny to say which is"), "{text}");
+    let text = Report::new(&comparison).verdict();
+    assert!(text.starts_with("bunny has too few rounds for intervals;"), "{text}");
     assert!(text.ends_with("; no pictures were compared."), "{text}");
 }
 
@@ -43,7 +46,7 @@ fn the_verdict_names_what_failed_first() {
     row.status = Status::Failed { message: "it panicked: no leaf".to_owned() };
     row.classes.clear();
     comparison.scenes[0].proof.as_mut().unwrap().structures.remove(1);
-    let text = verdict(&comparison);
+    let text = Report::new(&comparison).verdict();
     assert!(text.starts_with("ball FAILED in bunny: it panicked: no leaf; bvh traces"), "{text}");
     assert!(text.ends_with("; pictures equal bit for bit."), "{text}");
 }
@@ -55,97 +58,101 @@ fn what_failed_in_a_sweep_is_named_and_has_a_row() {
     sweep.points.retain(|point| point.structure != "ball");
     sweep.dropped[1].failed = true;
     sweep.dropped[1].triangles = 1_000;
-    sweep.dropped[1].reason = "its answers differ: a ray".to_owned();
-    let failed = "ball FAILED in the sweep, in hall with 1.00\u{a0}k triangles: its answers \
+    sweep.dropped[1].reason = "its results differ: a ray".to_owned();
+    let failed = "ball FAILED in the sweep, in hall with 1.00\u{a0}k triangles: its results \
                   differ: a ray; bvh traces view rays of bunny";
-    assert!(verdict(&comparison).starts_with(failed), "{}", verdict(&comparison));
-    let row = "| – | ball | – | – | 0 | at 1.00\u{a0}k triangles: its answers differ: a ray |";
-    let text = markdown::write(&comparison);
+    assert!(
+        Report::new(&comparison).verdict().starts_with(failed),
+        "{}",
+        Report::new(&comparison).verdict()
+    );
+    let row = "| – | ball | – | – | 0 | at 1.00\u{a0}k triangles: its results differ: a ray |";
+    let text = Report::new(&comparison).markdown();
     assert!(text.contains(row), "{text}");
     comparison.scenes.clear();
-    assert!(verdict(&comparison).starts_with("ball FAILED in the sweep"));
+    assert!(Report::new(&comparison).verdict().starts_with("ball FAILED in the sweep"));
 }
 
 #[test]
-fn the_verdict_speaks_of_a_scene_with_enough_rounds() {
+fn the_verdict_is_about_a_scene_with_enough_rounds() {
     let mut comparison = sample::full();
     for class in comparison.scenes[0].structures.iter_mut().flat_map(|own| &mut own.classes) {
         class.rounds.truncate(2);
     }
-    let text = verdict(&comparison);
+    let text = Report::new(&comparison).verdict();
     assert!(text.contains("rays of hall"), "{text}");
     comparison.scenes.truncate(1);
     comparison.base = "bvh".to_owned();
-    let text = verdict(&comparison);
-    assert!(text.starts_with("too few rounds were made in bunny"), "{text}");
+    let text = Report::new(&comparison).verdict();
+    assert!(text.starts_with("bunny has too few rounds for intervals;"), "{text}");
 }
 
 #[test]
-fn the_verdict_does_not_praise_what_is_slower() {
+fn the_verdict_of_a_fastest_base_names_no_other() {
     let mut comparison = sample::full();
     comparison.base = "bvh".to_owned();
-    let text = verdict(&comparison);
+    let text = Report::new(&comparison).verdict();
     assert!(text.starts_with("no structure traces view rays of bunny faster than bvh;"), "{text}");
     comparison.scenes[0].structures.truncate(1);
     comparison.scenes.truncate(1);
-    let text = verdict(&comparison);
-    assert!(text.starts_with("no two structures were traced beside each other;"), "{text}");
+    let text = Report::new(&comparison).verdict();
+    assert!(text.starts_with("no two structures traced the same rays;"), "{text}");
 }
 
 #[test]
-fn the_verdict_says_of_how_many_pictures_it_is_true() {
+fn the_verdict_counts_the_pictures_that_were_proved_equal() {
     let mut comparison = sample::full();
     comparison.scenes.truncate(1);
-    assert!(verdict(&comparison).ends_with("; pictures equal bit for bit."));
+    assert!(Report::new(&comparison).verdict().ends_with("; pictures equal bit for bit."));
     // A picture without a hash is not the whole one.
     comparison.scenes[0].proof.as_mut().unwrap().structures[1].picture_hash = None;
-    let text = verdict(&comparison);
-    let end = "; 0 of 1 pictures proved equal bit for bit, 1 not compared whole: bunny (a smaller \
+    let text = Report::new(&comparison).verdict();
+    let end = "; 0 of 1 pictures proved equal bit for bit, 1 not compared in full: bunny (a smaller \
                one from ball).";
     assert!(text.ends_with(end), "{text}");
     let smaller = comparison.scenes[0].clone();
     comparison.scenes.extend([smaller.clone(), smaller.clone(), smaller]);
-    assert!(verdict(&comparison).ends_with("(a smaller one from ball) and 1 more."));
+    assert!(Report::new(&comparison).verdict().ends_with("(a smaller one from ball) and 1 more."));
 }
 
 #[test]
-fn the_mean_over_scenes_is_geometric_and_says_of_how_many() {
+fn the_mean_over_scenes_is_geometric_and_has_their_number() {
     let mut comparison = sample::full();
     comparison.base = "bvh".to_owned();
-    let derived = Derived::of(&comparison);
+    let analysis = Analysis::of(&comparison);
     let ratio = |scene: usize| {
-        let own = derived.scenes[scene].structure("cwbvh").unwrap();
+        let own = analysis.scenes[scene].structure("cwbvh").unwrap();
         own.class(RayClass::View).unwrap().speedup.unwrap().median
     };
     let is_own = |own: &&OverallFigures| own.structure == "cwbvh" && own.class == RayClass::View;
-    let mean = derived.overall.iter().find(is_own).unwrap();
+    let mean = analysis.overall.iter().find(is_own).unwrap();
     assert_eq!(mean.scenes, 2);
     assert!((mean.speedup - (ratio(0) * ratio(1)).sqrt()).abs() < 1e-12);
-    let none = derived.overall.iter().find(|own| own.structure == "none").unwrap();
+    let none = analysis.overall.iter().find(|own| own.structure == "none").unwrap();
     assert_eq!(none.scenes, 1, "it was too slow for the other");
-    let text = markdown::write(&comparison);
+    let text = Report::new(&comparison).markdown();
     assert!(text.contains("### All scenes together") && text.contains("(2 scenes)"), "{text}");
     assert!(text.contains("### What was proved"));
     comparison.scenes.truncate(1);
-    assert!(!markdown::write(&comparison).contains("All scenes together"));
+    assert!(!Report::new(&comparison).markdown().contains("All scenes together"));
 }
 
 #[test]
-fn a_baseline_is_told_in_every_form() {
+fn a_baseline_is_in_every_form() {
     let comparison = sample::full();
-    let page = html::write(&comparison, &html::Pictures::new());
-    for text in [page, markdown::write(&comparison)] {
+    let page = Report::new(&comparison).html(&Pictures::new());
+    for text in [page, Report::new(&comparison).markdown()] {
         assert!(text.contains("Against the baseline") && text.contains("SLOWER"), "{text}");
-        assert!(text.contains("The rays are others."), "{text}");
+        assert!(text.contains("The two runs traced different rays."), "{text}");
         assert!(text.contains("1 of 2 measurements changed by more than 10.0"), "{text}");
     }
 }
 
 #[test]
-fn the_verdict_without_scenes_speaks_of_growth() {
+fn the_verdict_without_scenes_is_about_growth() {
     let mut comparison = sample::full();
     comparison.scenes.clear();
-    let text = verdict(&comparison);
+    let text = Report::new(&comparison).verdict();
     let parts = [
         "traces view rays of hall with ",
         " triangles fastest, in ",
@@ -158,45 +165,45 @@ fn the_verdict_without_scenes_speaks_of_growth() {
 
 #[test]
 fn the_terminal_has_a_line_for_each_structure() {
-    insta::assert_snapshot!(terminal::write(&sample::full()));
-    insta::assert_snapshot!(terminal::write(&sample::partial()));
+    insta::assert_snapshot!(Report::new(&sample::full()).terminal());
+    insta::assert_snapshot!(Report::new(&sample::partial()).terminal());
 }
 
 #[test]
-fn markdown_says_what_should_be_doubted() {
+fn markdown_lists_what_is_doubtful() {
     let mut comparison = sample::full();
     comparison.run.machine.governor = Some("powersave".to_owned());
     comparison.run.machine.load_at_start = Some([3.5, 1.0, 1.0]);
     comparison.run.commit = Some("abc-dirty".to_owned());
     comparison.scenes[0].structures[0].status = Status::TooSlow { after_seconds: 0.5 };
-    let text = markdown::write(&comparison);
+    let text = Report::new(&comparison).markdown();
     for sentence in [
         "The governor was powersave, not performance",
         "its load was 3.50",
-        "Sources had changed since the commit",
+        "The sources had changed since the named commit",
         "none was not measured in hall; ratios there are to ball.",
         "The hall was generated with seed 1.",
-        "too slow after 500\u{a0}ms",
+        "too slow for 500\u{a0}ms",
         "at 1.00\u{a0}M triangles: a round would take more",
     ] {
         assert!(text.contains(sentence), "{sentence}");
     }
-    assert!(!markdown::write(&sample::full()).contains("The governor was"));
+    assert!(!Report::new(&sample::full()).markdown().contains("The governor was"));
 }
 
 #[test]
 fn text_of_the_record_breaks_no_table() {
-    let text = markdown::write(&sample::partial());
+    let text = Report::new(&sample::partial()).markdown();
     assert!(text.contains("failed: the build ran out of \\| memory &lt;here&gt;"));
     assert!(text.contains("**Partial:"));
 }
 
 #[test]
 fn the_chapter_on_sampling_has_a_verdict() {
-    let text = terminal::write(&sample::full());
+    let text = Report::new(&sample::full()).terminal();
     let line = text.lines().last().unwrap();
     assert!(line.starts_with("Sampling: shuffled leaves 0.57"), "{line}");
     assert!(line.contains("× the noise of independent with 16 view samples and 0.5"), "{line}");
     assert!(line.contains("(the median of 2 scenes), and takes 0.2"), "{line}");
-    assert!(!terminal::write(&sample::partial()).contains("Sampling"));
+    assert!(!Report::new(&sample::partial()).terminal().contains("Sampling"));
 }

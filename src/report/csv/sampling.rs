@@ -1,8 +1,8 @@
 //! The chapter on sampling → CSV: a line for each cost, share and noise.
 
 use super::{line, number, parts, whole};
-use crate::record::Comparison;
-use crate::record::derived::{Derived, Pairing};
+use crate::analysis::Pairing;
+use crate::report::Report;
 
 const HEADS: [&str; 18] = [
     "what",
@@ -25,14 +25,13 @@ const HEADS: [&str; 18] = [
     "converged_rmse",
 ];
 
-/// Writes the table; `None` without the chapter. Numbers read back as they are in the JSON's
-/// `derived`. Lines are of four kinds, which `what` tells: `cost`, `share`, `noise`, `converged`.
-#[must_use]
-pub fn write_sampling(comparison: &Comparison) -> Option<String> {
+/// Writes the table; `None` without the chapter. Its numbers read back equal to those in the JSON's `derived`. A line
+/// is of one of four kinds, given in `what`: `cost`, `share`, `noise`, `converged`.
+pub(in crate::report) fn write_sampling(report: &Report<'_>) -> Option<String> {
+    let Report { comparison, analysis, .. } = report;
     let chapter = comparison.sampling.as_ref()?;
-    let derived = Derived::of(comparison);
     let mut text = line(HEADS.map(str::to_owned));
-    for (cost, figures) in chapter.costs.iter().zip(&derived.operations) {
+    for (cost, figures) in chapter.costs.iter().zip(&analysis.operations) {
         let [ns, low, high] = parts(figures.ns);
         text += &row(&[
             ("what", "cost".to_owned()),
@@ -44,7 +43,7 @@ pub fn write_sampling(comparison: &Comparison) -> Option<String> {
             ("ns_high", high),
         ]);
     }
-    for (part, figures) in chapter.parts.iter().zip(&derived.shares) {
+    for (part, figures) in chapter.parts.iter().zip(&analysis.shares) {
         text += &row(&[
             ("what", "share".to_owned()),
             ("scene", part.scene.clone()),
@@ -55,7 +54,7 @@ pub fn write_sampling(comparison: &Comparison) -> Option<String> {
             ("share", number(figures.share)),
         ]);
     }
-    for figures in &derived.noise {
+    for figures in &analysis.noise {
         let [ns, ns_low, ns_high] = parts(Some(figures.ns));
         let [rmse, rmse_low, rmse_high] = parts(Some(figures.rmse));
         let equal = match figures.pairing {

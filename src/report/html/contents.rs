@@ -1,4 +1,4 @@
-//! The list of the page's chapters.
+//! The table of contents.
 
 use maud::{Markup, html};
 
@@ -6,10 +6,10 @@ use super::Page;
 
 /// Links to all sections.
 pub(super) fn contents(page: &Page<'_>) -> Markup {
-    let comparison = page.comparison;
+    let comparison = page.report.comparison;
     html! {
         nav aria-label="Contents" {
-            @if comparison.scenes.len() > 1 && !page.derived.overall.is_empty() { a href="#overall" { "All scenes" } }
+            @if comparison.scenes.len() > 1 && !page.report.analysis.overall.is_empty() { a href="#overall" { "All scenes" } }
             @if comparison.baseline.is_some() { a href="#baseline" { "Against the baseline" } }
             @if !comparison.scenes.is_empty() { a href="#proof" { "Proof" } }
             a href="#run" { "How it was measured" }

@@ -1,16 +1,16 @@
-//! Which plot shows what: from figures to drawings.
+//! The plots of the page: from the analysis to drawings.
 
 use maud::Markup;
 
 use super::Page;
-use crate::record::derived::{
-    ClassFigures, Derived, NoiseFigures, Pairing, SceneFigures, StructureFigures, SweepCurve,
+use crate::analysis::statistics::{BreakEven, Cost};
+use crate::analysis::{
+    Analysis, ClassFigures, NoiseFigures, Pairing, SceneFigures, StructureFigures, SweepCurve,
     SweepFigures,
 };
-use crate::record::statistics::{BreakEven, Cost, Estimate};
-use crate::record::{RayClass, SceneRecord};
+use crate::record::{Estimate, RayClass, SceneRecord};
 use crate::report::numbers::{COUNT, TIME};
-use crate::report::plot::{Bars, Dot, Ends, Group, XyPlot, XySeries, dot_plot, histogram};
+use crate::report::plot::{Bars, Dot, DotGroup, Ends, Look, XyPlot, XySeries, dot_plot, histogram};
 
 /// How many times as fast as the base each structure is, by class.
 pub(super) fn speedups(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
@@ -24,15 +24,15 @@ pub(super) fn speedups(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> 
             },
         );
     let title = format!("{}: speed-up over {base}", scene.scene);
-    let label = format!("times as fast as {base}, ray for ray, with 95 % intervals (logarithmic)");
+    let label = format!("times as fast as {base}, per ray, with 95 % intervals (logarithmic)");
     dot_plot(&title, &label, "\u{a0}×", Some(1.0), &groups)
 }
 
-/// Millions of rays a second of each structure, by class.
+/// Millions of rays per second of each structure, by class.
 pub(super) fn rates(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
     let groups = groups(page, scene, |_, class| class.million_rays_per_second);
-    let title = format!("{}: million rays a second", scene.scene);
-    let label = "million rays a second, with 95 % intervals (logarithmic)";
+    let title = format!("{}: million rays per second", scene.scene);
+    let label = "million rays per second, with 95 % intervals (logarithmic)";
     dot_plot(&title, label, "", None, &groups)
 }
 
@@ -40,15 +40,15 @@ fn groups(
     page: &Page<'_>,
     scene: &SceneFigures,
     value: impl Fn(&StructureFigures, &ClassFigures) -> Option<Estimate>,
-) -> Vec<Group> {
+) -> Vec<DotGroup> {
     let dot = |structure: &StructureFigures, class: RayClass| {
         Some(Dot {
-            series: page.series(&structure.structure),
+            look: page.looks.get(&structure.structure),
             name: structure.structure.clone(),
             value: value(structure, structure.class(class)?)?,
         })
     };
-    let group = |class: RayClass| Group {
+    let group = |class: RayClass| DotGroup {
         name: format!("{} rays", class.name()),
         dots: scene.structures.iter().filter_map(|s| dot(s, class)).collect(),
     };
@@ -73,9 +73,10 @@ pub(super) fn pareto(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
     XyPlot {
         title: format!("{}: build against trace", scene.scene),
-        meaning: "Each structure's build time and the time of the picture's mean ray; less is \
-                  better in both. The dotted line joins those that no other beats."
-            .to_owned(),
+        meaning:
+            "Each structure's build time and the time of the picture's mean ray. Less is better \
+                  in both. The dotted line is the Pareto front."
+                .to_owned(),
         x: Ends { label: "build, all threads (logarithmic)", units: TIME },
         y: Ends { label: "mean ray of the picture (logarithmic)", units: TIME },
         series: series.collect(),
@@ -97,7 +98,7 @@ fn stairs(front: &[(f64, f64)]) -> Vec<(f64, f64)> {
     corners
 }
 
-/// Build and rays together against the number of rays; rings where a dearer build has paid.
+/// Build and rays together against the number of rays; rings where a slower build has paid off.
 pub(super) fn break_even(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
     let costs: Vec<_> = scene.structures.iter().filter_map(|s| Some((s, s.cost()?))).collect();
     let base = costs.iter().find(|(s, _)| Some(&s.structure) == scene.base.as_ref())?.1;
@@ -112,18 +113,18 @@ pub(super) fn break_even(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup
         (0..=60).map(|i| (at(i), total(cost, at(i)))).collect()
     };
     let series = costs.iter().map(|(structure, cost)| XySeries {
-        series: page.series(&structure.structure),
+        look: page.looks.get(&structure.structure),
         name: structure.structure.clone(),
-        // A marker at the end, so that colour alone does not tell the lines apart.
+        // A marker at the end, so that lines do not differ by colour alone.
         points: vec![(last, total(*cost, last))],
         intervals: vec![None],
         line: line(*cost),
-        dashed: false,
+        fit: false,
     });
     XyPlot {
-        title: format!("{}: when a dearer build pays", scene.scene),
-        meaning: "Build and rays together against the number of the picture's mean rays. Rings \
-                  are where a structure meets the base."
+        title: format!("{}: when a slower build pays off", scene.scene),
+        meaning: "Build and rays together against the number of the picture's mean rays. A ring \
+                  marks where a structure and the base have taken the same time."
             .to_owned(),
         x: Ends { label: "rays (logarithmic)", units: COUNT },
         y: Ends { label: "build and rays together (logarithmic)", units: TIME },
@@ -146,7 +147,7 @@ pub(super) fn growth(page: &Page<'_>, sweep: &SweepFigures, class: RayClass) -> 
     let curves = sweep.curves.iter().filter(|curve| curve.class == class);
     XyPlot {
         title: format!("{}: {} rays against triangles", sweep.mesh, class.name()),
-        meaning: "Time of a ray against the number of triangles; dashed lines are power laws."
+        meaning: "Time of a ray against the number of triangles. Dashed lines are power laws."
             .to_owned(),
         x: Ends { label: "triangles (logarithmic)", units: COUNT },
         y: Ends { label: "time of a ray (logarithmic)", units: TIME },
@@ -162,37 +163,37 @@ fn curve_series(page: &Page<'_>, curve: &SweepCurve) -> XySeries {
     let ns = || curve.values.iter().map(|value| value.ns_per_ray);
     let slope = curve.fit.map(|fit| format!(", slope {:.2}", fit.slope)).unwrap_or_default();
     XySeries {
-        series: page.series(&curve.structure),
+        look: page.looks.get(&curve.structure),
         name: format!("{}{slope}", curve.structure),
         points: sizes().zip(ns().map(|estimate| estimate.median)).collect(),
         intervals: ns().map(|estimate| estimate.interval.map(|i| (i.low, i.high))).collect(),
         line: curve.fit.map_or_else(Vec::new, |fit| sizes().map(|n| (n, fit.at(n))).collect()),
-        dashed: true,
+        fit: true,
     }
 }
 
 fn points(page: &Page<'_>, structure: &str, name: String, points: Vec<(f64, f64)>) -> XySeries {
     XySeries {
-        series: page.series(structure),
+        look: page.looks.get(structure),
         name,
         intervals: vec![None; points.len()],
         points,
         line: Vec::new(),
-        dashed: false,
+        fit: false,
     }
 }
 
 /// The scenes whose noise was measured, in the record's order.
-pub(super) fn noise_scenes(derived: &Derived) -> Vec<&str> {
-    let mut scenes: Vec<&str> = derived.noise.iter().map(|own| own.scene.as_str()).collect();
+pub(super) fn noise_scenes(analysis: &Analysis) -> Vec<&str> {
+    let mut scenes: Vec<&str> = analysis.noise.iter().map(|own| own.scene.as_str()).collect();
     scenes.dedup();
     scenes
 }
 
-/// Noise against time, a line for each method of sampling.
-pub(super) fn noise(derived: &Derived, scene: &str) -> Option<Markup> {
+/// Noise against time, a line for each sampling method.
+pub(super) fn noise(analysis: &Analysis, scene: &str) -> Option<Markup> {
     let is_measured = |own: &&NoiseFigures| own.pairing == Pairing::EqualSamples;
-    let measured = || derived.noise.iter().filter(is_measured);
+    let measured = || analysis.noise.iter().filter(is_measured);
     let mut methods: Vec<&str> = Vec::new();
     for own in measured() {
         if !methods.contains(&own.sampling.as_str()) {
@@ -204,19 +205,18 @@ pub(super) fn noise(derived: &Derived, scene: &str) -> Option<Markup> {
         let own: Vec<&NoiseFigures> = own.collect();
         let points: Vec<_> = own.iter().map(|own| (own.ns.median, own.rmse.median)).collect();
         XySeries {
-            series: number,
+            look: Look::of_series(number),
             name: method.to_owned(),
             intervals: own.iter().map(|own| own.rmse.interval.map(|i| (i.low, i.high))).collect(),
             line: points.clone(),
             points,
-            dashed: false,
+            fit: false,
         }
     });
     XyPlot {
         title: format!("{scene}: noise against time"),
-        meaning: "The noise that is left in frames with growing numbers of view samples, against \
-                  the time of a frame on one thread, for each method of sampling; less is better \
-                  in both."
+        meaning: "The noise of frames with growing numbers of view samples against the time of a \
+                  frame on one thread, for each sampling method. Less is better in both."
             .to_owned(),
         x: Ends { label: "processor time of a frame (logarithmic)", units: TIME },
         y: Ends { label: "RMSE to a converged picture (logarithmic)", units: &[] },
@@ -235,7 +235,7 @@ pub(super) fn leaves(page: &Page<'_>, scene: &SceneRecord) -> Option<Markup> {
         .filter_map(|structure| Some((structure, structure.shape.as_ref()?)))
         .filter(|(_, shape)| shape.leaves > 1)
         .map(|(structure, shape)| Bars {
-            series: page.series(&structure.name),
+            look: page.looks.get(&structure.name),
             name: structure.name.clone(),
             counts: shape.leaf_sizes.clone(),
         })

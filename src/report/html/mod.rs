@@ -1,7 +1,7 @@
-//! Record → one HTML file that needs nothing else.
+//! Record → one self-contained HTML file.
 //!
-//! No script, no font, no link to anywhere: pictures are embedded, plots are inline SVG, and the
-//! page forbids itself to load anything. It reads on paper, in light and dark, and on a phone.
+//! It has no script, no font and no external link: pictures are embedded, plots are inline SVG, and its content
+//! security policy forbids loading anything. Its style is for light and dark screens, phones and paper.
 
 mod contents;
 mod figures;
@@ -9,65 +9,43 @@ mod pictures;
 mod scene;
 mod table;
 
-use std::collections::BTreeMap;
-
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::limits::limits;
+use super::plot::Looks;
 use super::sampling_verdict::sampling_verdict;
-use super::tables;
 use super::verdict::headline;
-use crate::record::derived::Derived;
+use super::{Pictures, Report, tables};
 use crate::record::{Comparison, Sweep};
 use table::{bare, table};
-
-/// The bytes of the picture files that a record names, by these names.
-pub type Pictures = BTreeMap<String, Vec<u8>>;
 
 const STYLE: &str = include_str!("style.css");
 const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'";
 
-/// What every part of the page is made from.
+/// The input of every part of the page.
 struct Page<'a> {
-    comparison: &'a Comparison,
-    derived: Derived,
+    report: &'a Report<'a>,
     pictures: &'a Pictures,
-    /// The names of all structures; the place of a name is the number of its marker and colour.
-    structures: Vec<&'a str>,
+    looks: Looks,
 }
 
-/// Writes the page. Of a picture that is not among `pictures` it says that it is missing.
-#[must_use]
-pub fn write(comparison: &Comparison, pictures: &Pictures) -> String {
-    let derived = Derived::of(comparison);
-    let structures = structures(comparison);
-    let page = Page { comparison, derived, pictures, structures };
+/// Writes the page: see [`Report::html`].
+pub(super) fn write(report: &Report<'_>, pictures: &Pictures) -> String {
+    let looks = Looks::of(structures(report.comparison));
+    let page = Page { report, pictures, looks };
     document(&page).into_string()
 }
 
-/// All structures, by first appearance.
-fn structures(comparison: &Comparison) -> Vec<&str> {
+/// The structures of all scenes and sweeps, some of them several times.
+fn structures(comparison: &Comparison) -> impl Iterator<Item = &str> {
     let scenes = comparison.scenes.iter().flat_map(|scene| &scene.structures);
     let points = comparison.sweeps.iter().flat_map(|sweep: &Sweep| &sweep.points);
-    let mut names: Vec<&str> = Vec::new();
-    let all = scenes.map(|s| s.name.as_str()).chain(points.map(|p| p.structure.as_str()));
-    for name in all {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    names
-}
-
-impl Page<'_> {
-    /// The number of a structure, for its marker and colour.
-    fn series(&self, structure: &str) -> usize {
-        self.structures.iter().position(|name| *name == structure).unwrap_or_default()
-    }
+    scenes.map(|s| s.name.as_str()).chain(points.map(|p| p.structure.as_str()))
 }
 
 fn document(page: &Page<'_>) -> Markup {
-    let names: Vec<&str> = page.comparison.scenes.iter().map(|scene| scene.name.as_str()).collect();
+    let names: Vec<&str> =
+        page.report.comparison.scenes.iter().map(|scene| scene.name.as_str()).collect();
     html! {
         (DOCTYPE)
         html lang="en" {
@@ -76,7 +54,7 @@ fn document(page: &Page<'_>) -> Markup {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
-                meta name="generator" content=(format!("srt {}", page.comparison.run.version));
+                meta name="generator" content=(format!("srt {}", page.report.comparison.run.version));
                 link rel="icon" href="data:,";
                 title { "srt compares " (names.join(", ")) }
                 style { (PreEscaped(STYLE)) }
@@ -89,7 +67,7 @@ fn document(page: &Page<'_>) -> Markup {
                     (baseline(page))
                     (proof(page))
                     (run(page))
-                    @for (scene, figures) in page.comparison.scenes.iter().zip(&page.derived.scenes) {
+                    @for (scene, figures) in page.report.comparison.scenes.iter().zip(&page.report.analysis.scenes) {
                         (scene::section(page, scene, figures))
                     }
                     (growth(page))
@@ -97,8 +75,8 @@ fn document(page: &Page<'_>) -> Markup {
                     (bias(page))
                 }
                 footer {
-                    "Made by srt " (page.comparison.run.version) " from a record of schema version "
-                    (page.comparison.schema_version) ". The same numbers are in the JSON, CSV and Markdown beside this page."
+                    "Made by srt " (page.report.comparison.run.version) " from a record of schema version "
+                    (page.report.comparison.schema_version) ". The JSON, CSV and Markdown files beside this page have the same numbers."
                 }
             }
         }
@@ -106,11 +84,11 @@ fn document(page: &Page<'_>) -> Markup {
 }
 
 fn head(page: &Page<'_>) -> Markup {
-    let run = &page.comparison.run;
+    let run = &page.report.comparison.run;
     html! {
         p class="kicker" { "srt compares acceleration structures" }
         // An interval stays in one line.
-        @let (claim, rest) = headline(page.comparison, &page.derived);
+        @let (claim, rest) = headline(page.report);
         h1 { (claim.replace('–', "\u{2060}–\u{2060}")) }
         @if let Some(rest) = rest { p class="subtitle" { (rest) } }
         p class="byline" {
@@ -119,14 +97,14 @@ fn head(page: &Page<'_>) -> Markup {
             @if let Some(commit) = &run.commit { " · commit " code { (commit) } }
         }
         @if run.partial {
-            p class="warning" { strong { "Partial." } " The comparison was stopped before its plan was done; what follows is what was measured until then." }
+            p class="warning" { strong { "Partial." } " The comparison was stopped before its plan was done. This report shows what was measured until then." }
         }
     }
 }
 
-/// Which structure, over all scenes.
+/// The structures over all scenes.
 fn overall(page: &Page<'_>) -> Markup {
-    let own = tables::overall_table(page.comparison, &page.derived);
+    let own = tables::overall_table(page.report);
     html! {
         @if !own.rows.is_empty() { section id="overall" { h2 { (own.title) } p class="note" { (own.note) } (bare(&own)) } }
     }
@@ -134,7 +112,7 @@ fn overall(page: &Page<'_>) -> Markup {
 
 fn baseline(page: &Page<'_>) -> Markup {
     html! {
-        @if let Some(baseline) = &page.comparison.baseline {
+        @if let Some(baseline) = &page.report.comparison.baseline {
             @let own = tables::baseline_table(baseline);
             section id="baseline" {
                 h2 { (own.title) }
@@ -147,21 +125,21 @@ fn baseline(page: &Page<'_>) -> Markup {
 }
 
 fn proof(page: &Page<'_>) -> Markup {
-    let scenes = page.comparison.scenes.iter().filter_map(|s| Some((s, s.proof.as_ref()?)));
+    let scenes = page.report.comparison.scenes.iter().filter_map(|s| Some((s, s.proof.as_ref()?)));
     html! {
-        @if !page.comparison.scenes.is_empty() { section id="proof" {
+        @if !page.report.comparison.scenes.is_empty() { section id="proof" {
             h2 { "Proof" }
-            p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit. (A yardstick, another program's, need not.) Each scene's chapter has the figures." }
-            (table(&tables::proof_matrix(page.comparison)))
+            p { "Structures are compared at equal work only: each must give the reference's picture and hits, bit for bit. Peers, the structures of other libraries, need not. Each scene's chapter has the details." }
+            (table(&tables::proof_matrix(page.report.comparison)))
             @for (scene, proof) in scenes {
                 @for entry in &proof.structures {
                     @if let Some(difference) = &entry.first_difference {
-                        p class="warning" { strong { (entry.structure) " differs in " (scene.name) ". " } "First: " (difference) }
+                        p class="warning" { strong { (entry.structure) " differs in " (scene.name) ". " } "First difference: " (difference) }
                     }
                 }
             }
-            @for scene in page.comparison.scenes.iter().filter(|scene| scene.proof.is_none()) {
-                p class="warning" { "For " strong { (scene.name) } " there is no proof: its pictures were not compared." }
+            @for scene in page.report.comparison.scenes.iter().filter(|scene| scene.proof.is_none()) {
+                p class="warning" { strong { (scene.name) } " has no proof: its pictures were not compared." }
             }
         } }
     }
@@ -171,9 +149,9 @@ fn run(page: &Page<'_>) -> Markup {
     html! {
         section id="run" {
             h2 { "How it was measured" }
-            pre class="command" tabindex="0" { code { (page.comparison.run.command) } }
+            pre class="command" tabindex="0" { code { (page.report.comparison.run.command) } }
             dl class="facts" {
-                @for (name, value) in tables::facts(page.comparison) {
+                @for (name, value) in tables::facts(page.report.comparison) {
                     div { dt { (name) } dd { (value) } }
                 }
             }
@@ -183,10 +161,10 @@ fn run(page: &Page<'_>) -> Markup {
 
 fn growth(page: &Page<'_>) -> Markup {
     html! {
-        @for (i, (sweep, figures)) in page.comparison.sweeps.iter().zip(&page.derived.sweeps).enumerate() {
+        @for (i, (sweep, figures)) in page.report.comparison.sweeps.iter().zip(&page.report.analysis.sweeps).enumerate() {
             section id=(format!("growth-{i}")) {
                 h2 { "Growth: " (sweep.mesh) }
-                p { "The same family of meshes at growing sizes. Dashed lines are power laws fitted to the medians; their exponents stand beside the names." }
+                p { "The same family of meshes at growing sizes. Dashed lines are power laws fitted to the medians. Their exponents are beside the names." }
                 @for class in figures.classes() {
                     @if let Some(plot) = figures::growth(page, figures, class) { (plot) }
                 }
@@ -198,17 +176,17 @@ fn growth(page: &Page<'_>) -> Markup {
 
 fn sampling(page: &Page<'_>) -> Markup {
     html! {
-        @if let Some(chapter) = &page.comparison.sampling {
+        @if let Some(chapter) = &page.report.comparison.sampling {
             section id="sampling" {
                 h2 { "Sampling" }
                 p {
-                    @if let Some(verdict) = sampling_verdict(page.comparison, &page.derived) { (verdict) " " }
+                    @if let Some(verdict) = sampling_verdict(page.report) { (verdict) " " }
                     "The default is " strong { (chapter.default) } "."
                 }
-                @for scene in figures::noise_scenes(&page.derived) {
-                    @if let Some(plot) = figures::noise(&page.derived, scene) { (plot) }
+                @for scene in figures::noise_scenes(&page.report.analysis) {
+                    @if let Some(plot) = figures::noise(&page.report.analysis, scene) { (plot) }
                 }
-                @for own in tables::sampling_tables(chapter, &page.derived) { (table(&own)) }
+                @for own in tables::sampling_tables(chapter, &page.report.analysis) { (table(&own)) }
             }
         }
     }
@@ -218,7 +196,7 @@ fn bias(page: &Page<'_>) -> Markup {
     html! {
         section id="limits" {
             h2 { "Limits and bias" }
-            ul { @for limit in limits(page.comparison, &page.derived) { li { (limit) } } }
+            ul { @for limit in limits(page.report) { li { (limit) } } }
         }
     }
 }

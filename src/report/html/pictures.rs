@@ -5,15 +5,16 @@ use base64::engine::general_purpose::STANDARD;
 use colorous::INFERNO;
 use maud::{Markup, html};
 
-use super::{Page, Pictures};
+use super::Page;
 use crate::record::{HeatScale, PictureFile, SceneRecord, Spacing};
+use crate::report::Pictures;
 use crate::report::numbers::{self, COUNT};
 use crate::report::plot::{Axis, AxisKind, tick_label};
 
 /// Stops of the colour bar's gradient.
 const STOPS: u32 = 120;
 
-/// All pictures of a scene beside each other, and the colour bar below.
+/// All pictures of a scene side by side, and the colour bar below.
 pub(super) fn strip(page: &Page<'_>, scene: &SceneRecord) -> Markup {
     let heatmaps: Vec<_> =
         scene.structures.iter().filter_map(|s| Some((&s.name, s.heatmap.as_ref()?))).collect();
@@ -39,14 +40,14 @@ fn figure(pictures: &Pictures, picture: &PictureFile, caption: &str, meaning: &s
                 img src=(format!("data:image/png;base64,{}", STANDARD.encode(bytes)))
                     width=(picture.width) height=(picture.height) alt=(meaning);
             } @else {
-                p class="missing" { "The file " code { (picture.file) } " was not at hand." }
+                p class="missing" { "The file " code { (picture.file) } " is missing." }
             }
             figcaption { (caption) }
         }
     }
 }
 
-/// What the colours of the heatmaps stand for.
+/// The scale of the heatmaps' colours.
 fn bar(scale: HeatScale) -> Markup {
     let kind = match scale.spacing {
         Spacing::Linear => AxisKind::Linear,

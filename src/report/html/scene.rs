@@ -4,14 +4,19 @@ use maud::{Markup, html};
 
 use super::table::{bare, table};
 use super::{Page, figures, pictures};
+use crate::analysis::SceneFigures;
 use crate::record::SceneRecord;
-use crate::record::derived::SceneFigures;
 use crate::report::{numbers, tables};
 
 /// Pictures, tables, plots and raw rounds of a scene.
 pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) -> Markup {
-    let number =
-        page.comparison.scenes.iter().position(|s| std::ptr::eq(s, scene)).unwrap_or_default();
+    let number = page
+        .report
+        .comparison
+        .scenes
+        .iter()
+        .position(|s| std::ptr::eq(s, scene))
+        .unwrap_or_default();
     html! {
         section id=(format!("scene-{number}")) {
             h2 { (scene.name) }
@@ -28,7 +33,7 @@ pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) 
             @if !hardware.rows.is_empty() { (table(&hardware)) }
             (plots([figures::speedups(page, own), figures::rates(page, own)]))
             (table(&tables::structure_table(scene, own)))
-            (table(&tables::stage_table(scene, page.comparison.run.options.threads)))
+            (table(&tables::stage_table(scene, page.report.comparison.run.options.threads)))
             (plots([figures::leaves(page, scene), figures::pareto(page, own)]))
             (table(&tables::picture_table(own)))
             (plots([figures::break_even(page, own), None]))

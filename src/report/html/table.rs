@@ -1,4 +1,4 @@
-//! A table as HTML, in a box of its own that scrolls where the page is too narrow.
+//! A table as HTML, in a box that scrolls if the page is too narrow.
 
 use maud::{Markup, html};
 
@@ -7,7 +7,7 @@ use crate::report::tables::{Cell, Column, Table};
 /// Characters up to which a text stays in one line.
 const SHORT: usize = 24;
 
-/// Draws a table; without lines, nothing.
+/// Draws a table; nothing without rows.
 pub(super) fn table(table: &Table) -> Markup {
     html! {
         @if !table.rows.is_empty() {
@@ -40,7 +40,7 @@ pub(super) fn bare(table: &Table) -> Markup {
     }
 }
 
-/// Lines that start alike are a group; all but its first say so quietly.
+/// Rows with the same first cell are a group; in all but its first row that cell is faint.
 fn row_class(grouped: bool, repeats: bool) -> Option<&'static str> {
     grouped.then_some(if repeats { "again" } else { "new" })
 }

@@ -1,4 +1,4 @@
-//! Record → JSON and back. All other reports are made from this one.
+//! Record → JSON and back. A report can be made again from this file.
 //!
 //! The schema is described, field by field, in `docs/report-schema.md`.
 
@@ -7,47 +7,42 @@ mod pretty;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::record::derived::Derived;
+use super::Report;
+use crate::analysis::Analysis;
 use crate::record::{Comparison, SCHEMA_VERSION};
 
-/// Why text is not a record.
+/// Why text cannot be read as a record.
 #[derive(Debug, Error)]
 pub enum ReadError {
-    /// It is no JSON, or lacks a field, or a field has the wrong type.
+    /// It is not JSON, a field is missing, or a field has the wrong type.
     #[error("not a record of a comparison: {0}")]
     Malformed(#[from] serde_json::Error),
-    /// It was written by a version of srt that this one does not understand.
+    /// It has a schema version that this version of srt does not read.
     #[error(
         "the record has schema version {found}; this version of srt reads version {SCHEMA_VERSION}"
     )]
     Version {
-        /// The version that the record says.
+        /// The version in the record.
         found: u64,
     },
 }
 
-/// A record with the figures that follow from it, which readers other than srt may want.
+/// A record with its analysis, for programs that read the file.
 #[derive(Serialize)]
 struct Document<'a> {
     #[serde(flatten)]
     comparison: &'a Comparison,
-    derived: Derived,
+    derived: &'a Analysis,
 }
 
-/// Writes a record: human-readable JSON with a line end.
-///
-/// Beside the record's own fields there is `derived`: medians, intervals and ratios, for programs
-/// that read the file. [`read`] computes them anew.
-///
-/// # Errors
-/// None that a record can cause.
-pub fn write(comparison: &Comparison) -> Result<String, serde_json::Error> {
-    let derived = Derived::of(comparison);
-    let compact = serde_json::to_string(&Document { comparison, derived })?;
+/// Writes a record and its analysis, with a line end.
+pub(super) fn write(report: &Report<'_>) -> Result<String, serde_json::Error> {
+    let document = Document { comparison: report.comparison, derived: &report.analysis };
+    let compact = serde_json::to_string(&document)?;
     Ok(pretty::pretty(&compact) + "\n")
 }
 
-/// Reads a record. Fields that are not known are left out.
+/// Reads a record. Unknown fields are ignored, and `derived` among them.
 ///
 /// # Errors
 /// If the text is not a record, or one of another version.

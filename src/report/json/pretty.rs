@@ -1,9 +1,9 @@
 //! Compact JSON → JSON with lines of readable length.
 //!
-//! What fits into a line stays in one (a round, an interval, a list of times), where the printer of
-//! `serde_json` gives every number a line of its own.
+//! What fits into a line stays in one line: a round, an interval, a list of times. The printer of `serde_json` gives
+//! every number a line of its own.
 
-/// Characters in a line, its indentation included.
+/// Characters of a line, indentation included.
 const WIDTH: usize = 100;
 
 /// Lays valid compact JSON out in lines.
@@ -116,7 +116,7 @@ fn spaces(byte: u8) -> bool {
 }
 
 fn spaced_length(json: &str) -> usize {
-    // Only lists that may fit are looked into.
+    // Only lists that may fit are examined.
     if json.len() > WIDTH {
         return json.len();
     }

@@ -1,4 +1,4 @@
-//! From numbers to places along an axis.
+//! Numbers → places along an axis.
 
 use crate::report::numbers::{Unit, unit_of};
 
@@ -22,7 +22,7 @@ pub(in crate::report) struct Axis {
 }
 
 impl Axis {
-    /// An axis over just this range; a logarithmic one starts above 0.
+    /// An axis over exactly this range; a logarithmic one starts above 0.
     pub(in crate::report) fn new(kind: AxisKind, range: (f64, f64), places: (f64, f64)) -> Self {
         let floor = if kind == AxisKind::Logarithmic { f64::MIN_POSITIVE } else { f64::MIN };
         let low = range.0.max(floor);
@@ -33,7 +33,7 @@ impl Axis {
         Self { kind, low, high, from: places.0, to: places.1 }
     }
 
-    /// A logarithmic axis over all positive values, with some air; `None` if there is none.
+    /// A logarithmic axis over all positive values, with a margin; `None` if there is none.
     pub(in crate::report) fn around(
         values: impl IntoIterator<Item = f64>,
         places: (f64, f64),
@@ -42,9 +42,9 @@ impl Axis {
         let (low, high) = positive.fold(None, |range: Option<(f64, f64)>, value| {
             Some(range.map_or((value, value), |(a, b)| (a.min(value), b.max(value))))
         })?;
-        // At least a factor of 2.5, so that there is something to write at the axis.
-        let air = (high / low).powf(0.06).max((2.5 * low / high).sqrt()).max(1.05);
-        Some(Self::new(AxisKind::Logarithmic, (low / air, high * air), places))
+        // At least a factor of 2.5, so that the axis has ticks.
+        let margin = (high / low).powf(0.06).max((2.5 * low / high).sqrt()).max(1.05);
+        Some(Self::new(AxisKind::Logarithmic, (low / margin, high * margin), places))
     }
 
     /// The place of a number.
@@ -63,7 +63,7 @@ impl Axis {
         self.at(value.clamp(self.low, self.high))
     }
 
-    /// Round numbers to write at the axis.
+    /// The round numbers at the axis.
     pub(in crate::report) fn ticks(&self) -> Vec<f64> {
         match self.kind {
             AxisKind::Linear => linear_ticks(self.low, self.high),
@@ -82,7 +82,7 @@ fn linear_ticks(low: f64, high: f64) -> Vec<f64> {
     (0..20).map(|i| (first + f64::from(i)) * step).take_while(|&v| v <= high * 1.000_001).collect()
 }
 
-/// Powers of ten; over few of them 2 and 5 as well, over many only every second or third.
+/// Powers of ten; for a short axis also their multiples by 2 and 5, for a long one only every second or third power.
 fn logarithmic_ticks(low: f64, high: f64) -> Vec<f64> {
     let decades = (high / low).log10();
     let within = |v: &f64| *v >= low * 0.999_999 && *v <= high * 1.000_001;
@@ -96,7 +96,7 @@ fn logarithmic_ticks(low: f64, high: f64) -> Vec<f64> {
         .collect()
 }
 
-/// What is written at a tick: `10 ms`, `0.5`, `1 M`.
+/// The text at a tick: `10 ms`, `0.5`, `1 M`.
 pub(in crate::report) fn tick_label(value: f64, units: &'static [Unit]) -> String {
     let (name, size) = if units.is_empty() { ("", 1.0) } else { unit_of(value, units) };
     let number = value / size;

@@ -1,25 +1,28 @@
-//! Histograms of several structures, one below the other on one axis.
+//! Histograms of several structures, below each other on one axis.
 
 use maud::{Markup, html};
 
 use super::axis::{Axis, AxisKind};
-use super::{WIDTH, at, color, figure, marker};
+use super::{LEAST_AREA, Look, WIDTH, at, figure, marker, text_width};
 
 const LEFT: f64 = 120.0;
+const RIGHT: f64 = 20.0;
+/// From the left: where a name begins, right of its marker.
+const NAME: f64 = 24.0;
 const TOP: f64 = 8.0;
 const PANEL: f64 = 84.0;
 const GAP: f64 = 18.0;
 const BOTTOM: f64 = 46.0;
-/// Sizes with a bar of their own; larger ones share the last.
+/// The largest size with a bar of its own; larger ones share the last bar.
 const SIZES: usize = 16;
 
 /// The histogram of a structure.
 pub(in crate::report) struct Bars {
-    /// The number of the structure, for its marker and colour.
-    pub(in crate::report) series: usize,
+    /// The look of the structure.
+    pub(in crate::report) look: Look,
     /// The name of the structure.
     pub(in crate::report) name: String,
-    /// Entry n: how many leaves hold n primitives.
+    /// Entry n: how many leaves have n primitives.
     pub(in crate::report) counts: Vec<u64>,
 }
 
@@ -30,39 +33,49 @@ pub(in crate::report) fn histogram(title: &str, all: &[Bars]) -> Option<Markup> 
     let columns = longest.min(SIZES + 2);
     let shares: Vec<Vec<f64>> = all.iter().map(|bars| shares(&bars.counts)).collect();
     let largest = shares.iter().flatten().copied().fold(0.0, f64::max);
-    let x = Axis::new(AxisKind::Linear, (0.0, columns as f64), (LEFT, WIDTH - 20.0));
+    let left = LEFT.max(NAME + 12.0 + text_width(all.iter().map(|bars| bars.name.as_str())));
+    let right = (WIDTH - RIGHT).max(left + LEAST_AREA);
+    let x = Axis::new(AxisKind::Linear, (0.0, columns as f64), (left, right));
     let bottom = TOP + all.len() as f64 * (PANEL + GAP) - GAP;
     let drawing = html! {
         @for ((bars, shares), panel) in all.iter().zip(&shares).zip(0u32..) {
-            (draw(bars, shares, largest, &x, TOP + f64::from(panel) * (PANEL + GAP)))
+            (draw(bars, shares, largest, &x, (left, right), TOP + f64::from(panel) * (PANEL + GAP)))
         }
         @for column in 0..columns {
             text class="tick" x=(at(x.at(column as f64 + 0.5))) y=(at(bottom + 16.0)) text-anchor="middle" { (size_name(column)) }
         }
-        text class="axis" x=(at((LEFT + WIDTH - 20.0) / 2.0)) y=(at(bottom + 37.0)) text-anchor="middle" { "primitives in a leaf" }
+        text class="axis" x=(at((left + right) / 2.0)) y=(at(bottom + 37.0)) text-anchor="middle" { "primitives in a leaf" }
     };
-    Some(figure(title, &meaning(&all, &shares), bottom + BOTTOM, &drawing))
+    let size = (right + RIGHT, bottom + BOTTOM);
+    Some(figure(title, &meaning(&all, &shares), size, &drawing))
 }
 
-fn draw(bars: &Bars, shares: &[f64], largest: f64, x: &Axis, top: f64) -> Markup {
+fn draw(
+    bars: &Bars,
+    shares: &[f64],
+    largest: f64,
+    x: &Axis,
+    (left, right): (f64, f64),
+    top: f64,
+) -> Markup {
     let y = Axis::new(AxisKind::Linear, (0.0, largest * 1.25), (top + PANEL, top));
-    let class = format!("bar {}", color(bars.series));
+    let class = format!("bar {}", bars.look.color_class());
     html! {
-        (marker(bars.series, 12.0, top + PANEL / 2.0))
-        text class="name" x="24" y=(at(top + PANEL / 2.0 + 4.0)) { (bars.name) }
-        line class="grid" x1=(LEFT) x2=(WIDTH - 20.0) y1=(at(top + PANEL)) y2=(at(top + PANEL)) {}
+        (marker(bars.look, 12.0, top + PANEL / 2.0))
+        text class="name" x=(NAME) y=(at(top + PANEL / 2.0 + 4.0)) { (bars.name) }
+        line class="grid" x1=(at(left)) x2=(at(right)) y1=(at(top + PANEL)) y2=(at(top + PANEL)) {}
         @for (column, &share) in shares.iter().enumerate() {
             @if share > 0.0 {
-                @let left = x.at(column as f64 + 0.12);
+                @let start = x.at(column as f64 + 0.12);
                 @let height = (top + PANEL - y.at(share)).max(0.6);
-                rect class=(class) x=(at(left)) y=(at(top + PANEL - height)) width=(at(x.at(column as f64 + 0.88) - left)) height=(at(height)) {}
+                rect class=(class) x=(at(start)) y=(at(top + PANEL - height)) width=(at(x.at(column as f64 + 0.88) - start)) height=(at(height)) {}
                 text class="tick" x=(at(x.at(column as f64 + 0.5))) y=(at(top + PANEL - height - 4.0)) text-anchor="middle" { (percent(share)) }
             }
         }
     }
 }
 
-/// Shares of the leaves, those of many primitives together.
+/// Shares of the leaves by size; those of many primitives together.
 fn shares(counts: &[u64]) -> Vec<f64> {
     let total: u64 = counts.iter().sum();
     let mut shares = vec![0.0; counts.len().min(SIZES + 2)];

@@ -1,34 +1,49 @@
 //! Plots as inline SVG, drawn by hand.
 //!
-//! Colours are classes that the page's style sheet fills in, so that a plot follows light, dark and
-//! print; every structure has a marker and a written name beside its colour. Text stays text.
-//! Crates that plot write fixed colours and measure text with fonts of their own, hence none here.
+//! Colours and dashes are classes of the page's style sheet, so that a plot follows light, dark and print. Every
+//! structure has a marker and a written name beside its colour. Plots grow with the number of structures and the length
+//! of their names. Crates that plot write fixed colours and measure text with fonts of their own, hence none here.
 
 mod axis;
 mod dots;
 mod histogram;
+mod look;
 mod marker;
 mod xy;
 
 use maud::{Markup, html};
 
 pub(super) use axis::{Axis, AxisKind, tick_label};
-pub(super) use dots::{Dot, Group, dot_plot};
+pub(super) use dots::{Dot, DotGroup, dot_plot};
 pub(super) use histogram::{Bars, histogram};
-pub(super) use marker::marker;
+pub(super) use look::{Look, Looks};
 pub(super) use xy::{Ends, XyPlot, XySeries};
 
-/// The width of all plots, in units of the drawing: about pixels.
+use marker::marker;
+
+/// The width of a plot, in units of the drawing: about pixels. Long names make it wider.
 const WIDTH: f64 = 900.0;
 
-/// A drawing with its heading, and its meaning in words for those who cannot see it.
-fn figure(title: &str, meaning: &str, height: f64, drawing: &Markup) -> Markup {
+/// The least width of the area between the names and numbers on both sides.
+const LEAST_AREA: f64 = 320.0;
+
+/// The width of a character, about: the page's font is not known here.
+const CHARACTER: f64 = 7.0;
+
+/// The width of the longest of some texts, about.
+fn text_width<'a>(texts: impl IntoIterator<Item = &'a str>) -> f64 {
+    let longest = texts.into_iter().map(|text| text.chars().count()).max();
+    longest.unwrap_or_default() as f64 * CHARACTER
+}
+
+/// A drawing of a width and height with its heading, and its meaning in words for those who cannot see it.
+fn figure(title: &str, meaning: &str, (width, height): (f64, f64), drawing: &Markup) -> Markup {
     html! {
         figure class="plot" {
             figcaption { (title) }
             div class="scroll" tabindex="0" {
                 svg xmlns="http://www.w3.org/2000/svg" role="img" aria-label=(format!("{title}. {meaning}"))
-                    viewBox=(format!("0 0 {WIDTH} {height}")) width=(WIDTH) height=(height) {
+                    viewBox=(format!("0 0 {} {}", at(width), at(height))) width=(at(width)) height=(at(height)) {
                     title { (title) }
                     desc { (meaning) }
                     (drawing)
@@ -41,9 +56,4 @@ fn figure(title: &str, meaning: &str, height: f64, drawing: &Markup) -> Markup {
 /// A coordinate, in tenths.
 fn at(coordinate: f64) -> String {
     format!("{coordinate:.1}")
-}
-
-/// The class that gives the colour of a series.
-fn color(series: usize) -> String {
-    format!("s{}", series % 7)
 }

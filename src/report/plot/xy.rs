@@ -1,9 +1,9 @@
-//! Points and lines on doubly logarithmic axes, each series named beside its end.
+//! Points and lines on two logarithmic axes, with the name of each series beside its end.
 
 use maud::{Markup, html};
 
 use super::axis::{Axis, tick_label};
-use super::{WIDTH, at, color, figure, marker};
+use super::{LEAST_AREA, Look, WIDTH, at, figure, marker, text_width};
 use crate::report::numbers::Unit;
 
 const LEFT: f64 = 76.0;
@@ -13,20 +13,22 @@ const HEIGHT: f64 = 360.0;
 const BOTTOM: f64 = 50.0;
 /// The least distance of names below each other.
 const NAME: f64 = 17.0;
+/// From the right end of the x axis to the names.
+const NAME_LEFT: f64 = 30.0;
 
-/// What an axis says.
+/// The text at an axis.
 pub(in crate::report) struct Ends {
-    /// What is on it, with its unit.
+    /// The quantity, with its unit.
     pub(in crate::report) label: &'static str,
-    /// Units for the numbers at it; without any they stand as they are.
+    /// Units of the numbers at it; empty for plain numbers.
     pub(in crate::report) units: &'static [Unit],
 }
 
 /// A structure's points and line.
 pub(in crate::report) struct XySeries {
-    /// The number of the structure, for its marker and colour.
-    pub(in crate::report) series: usize,
-    /// What is written beside it.
+    /// The look of the structure.
+    pub(in crate::report) look: Look,
+    /// The name beside it.
     pub(in crate::report) name: String,
     /// The points, drawn as markers.
     pub(in crate::report) points: Vec<(f64, f64)>,
@@ -34,11 +36,11 @@ pub(in crate::report) struct XySeries {
     pub(in crate::report) intervals: Vec<Option<(f64, f64)>>,
     /// The corners of a line.
     pub(in crate::report) line: Vec<(f64, f64)>,
-    /// Whether the line is dashed: a fit, not a measurement.
-    pub(in crate::report) dashed: bool,
+    /// Whether the line is a fit, which is always dashed, or joins measurements.
+    pub(in crate::report) fit: bool,
 }
 
-/// A plot on doubly logarithmic axes.
+/// A plot on two logarithmic axes.
 pub(in crate::report) struct XyPlot {
     /// The heading.
     pub(in crate::report) title: String,
@@ -52,7 +54,7 @@ pub(in crate::report) struct XyPlot {
     pub(in crate::report) series: Vec<XySeries>,
     /// The corners of a line that belongs to no series, such as a Pareto front.
     pub(in crate::report) path: Vec<(f64, f64)>,
-    /// Places to put a ring around.
+    /// Places with a ring around them.
     pub(in crate::report) rings: Vec<(f64, f64)>,
 }
 
@@ -60,60 +62,63 @@ impl XyPlot {
     /// Draws it; `None` if there is nothing with positive coordinates.
     pub(in crate::report) fn draw(&self) -> Option<Markup> {
         let all = || self.series.iter().flat_map(|s| s.points.iter().chain(&s.line));
-        let x = Axis::around(all().map(|p| p.0), (LEFT, WIDTH - RIGHT))?;
+        let names = RIGHT.max(NAME_LEFT + text_width(self.series.iter().map(|s| s.name.as_str())));
+        let right = (WIDTH - names).max(LEFT + LEAST_AREA);
+        let bottom = TOP + HEIGHT.max(self.series.len() as f64 * NAME);
+        let x = Axis::around(all().map(|p| p.0), (LEFT, right))?;
         let intervals = self.series.iter().flat_map(|s| s.intervals.iter().flatten());
         let heights = all().map(|p| p.1).chain(intervals.flat_map(|i| [i.0, i.1]));
-        let y = Axis::around(heights, (TOP + HEIGHT, TOP))?;
+        let y = Axis::around(heights, (bottom, TOP))?;
         let drawing = html! {
-            (self.grid(&x, &y))
+            (self.grid(&x, &y, (right, bottom)))
             @if self.path.len() > 1 { polyline class="front" points=(corners(&self.path, &x, &y)) {} }
             @for series in &self.series { (draw(series, &x, &y)) }
             @for ring in &self.rings {
                 circle class="ring" cx=(at(x.at(ring.0))) cy=(at(y.at(ring.1))) r="9" {}
             }
-            (names(&self.series, &y))
+            (name_column(&self.series, &y, (right, bottom)))
         };
-        Some(figure(&self.title, &self.meaning, TOP + HEIGHT + BOTTOM, &drawing))
+        Some(figure(&self.title, &self.meaning, (right + names, bottom + BOTTOM), &drawing))
     }
 
-    fn grid(&self, x: &Axis, y: &Axis) -> Markup {
-        let (bottom, right) = (TOP + HEIGHT, WIDTH - RIGHT);
+    fn grid(&self, x: &Axis, y: &Axis, (right, bottom): (f64, f64)) -> Markup {
         html! {
             @for tick in x.ticks() {
                 @let place = at(x.at(tick));
-                line class="grid" x1=(place) x2=(place) y1=(TOP) y2=(bottom) {}
+                line class="grid" x1=(place) x2=(place) y1=(TOP) y2=(at(bottom)) {}
                 text class="tick" x=(place) y=(at(bottom + 18.0)) text-anchor="middle" { (tick_label(tick, self.x.units)) }
             }
             @for tick in y.ticks() {
                 @let place = y.at(tick);
-                line class="grid" x1=(LEFT) x2=(right) y1=(at(place)) y2=(at(place)) {}
+                line class="grid" x1=(LEFT) x2=(at(right)) y1=(at(place)) y2=(at(place)) {}
                 text class="tick" x=(at(LEFT - 8.0)) y=(at(place + 4.0)) text-anchor="end" { (tick_label(tick, self.y.units)) }
             }
             text class="axis" x=(at((LEFT + right) / 2.0)) y=(at(bottom + 40.0)) text-anchor="middle" { (self.x.label) }
-            text class="axis" transform=(format!("translate(14 {}) rotate(-90)", at(TOP + HEIGHT / 2.0))) text-anchor="middle" { (self.y.label) }
+            text class="axis" transform=(format!("translate(14 {}) rotate(-90)", at((TOP + bottom) / 2.0))) text-anchor="middle" { (self.y.label) }
         }
     }
 }
 
 fn draw(series: &XySeries, x: &Axis, y: &Axis) -> Markup {
-    let dashed = if series.dashed { " dashed" } else { "" };
-    let class = format!("line {}", color(series.series));
+    let fit = if series.fit { " fit" } else { "" };
+    let line = format!("line {}{fit}", series.look.line_classes());
+    let interval_line = format!("line {}", series.look.color_class());
     html! {
         @if series.line.len() > 1 {
-            polyline class=(format!("{class}{dashed}")) points=(corners(&series.line, x, y)) {}
+            polyline class=(line) points=(corners(&series.line, x, y)) {}
         }
         @for (point, interval) in series.points.iter().zip(&series.intervals) {
             @let place = at(x.at(point.0));
             @if let Some((low, high)) = interval {
-                line class=(class) x1=(place) x2=(place) y1=(at(y.at(*low))) y2=(at(y.at(*high))) {}
+                line class=(interval_line) x1=(place) x2=(place) y1=(at(y.at(*low))) y2=(at(y.at(*high))) {}
             }
         }
-        @for point in &series.points { (marker(series.series, x.at(point.0), y.at(point.1))) }
+        @for point in &series.points { (marker(series.look, x.at(point.0), y.at(point.1))) }
     }
 }
 
 /// Names right of the plot, at the height of each series' end, moved apart where they are close.
-fn names(series: &[XySeries], y: &Axis) -> Markup {
+fn name_column(series: &[XySeries], y: &Axis, (right, bottom): (f64, f64)) -> Markup {
     let end = |s: &XySeries| s.points.last().or(s.line.last()).map(|p| y.at(p.1));
     let mut named: Vec<(f64, &XySeries)> =
         series.iter().filter_map(|s| Some((end(s)?, s))).collect();
@@ -124,16 +129,16 @@ fn names(series: &[XySeries], y: &Axis) -> Markup {
         floor = *place + NAME;
     }
     // What was pushed below the plot comes back up, and pushes those above it.
-    let mut ceiling = TOP + HEIGHT;
+    let mut ceiling = bottom;
     for (place, _) in named.iter_mut().rev() {
         *place = place.min(ceiling);
         ceiling = *place - NAME;
     }
-    let left = WIDTH - RIGHT + 18.0;
+    let left = right + 18.0;
     html! {
         @for (place, series) in named {
-            (marker(series.series, left, place))
-            text class="name" x=(at(left + 12.0)) y=(at(place + 4.0)) { (series.name) }
+            (marker(series.look, left, place))
+            text class="name" x=(at(right + NAME_LEFT)) y=(at(place + 4.0)) { (series.name) }
         }
     }
 }

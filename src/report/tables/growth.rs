@@ -1,30 +1,30 @@
 //! The tables of a sweep: cost at each size, and the slopes.
 
 use super::{Cell, Table};
-use crate::record::derived::{SweepCurve, SweepFigures};
+use crate::analysis::{SweepCurve, SweepFigures};
 use crate::record::{Dropped, RayClass, Sweep};
 use crate::report::numbers;
 
-/// Slopes, then cost a ray at each size.
+/// Slopes, then the cost of a ray at each size.
 pub(in crate::report) fn growth_tables(sweep: &Sweep, figures: &SweepFigures) -> Vec<Table> {
     vec![slopes(figures, sweep), costs(figures)]
 }
 
 fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
-    let heads = ["Class", "Structure", "#Slope", "#Standard error", "#Sizes", "Left the sweep"];
+    let heads = ["Class", "Structure", "#Slope", "#Standard error", "#Sizes", "Stopped"];
     let checked = match sweep.rays_checked {
         0 => "No hits were compared.".to_owned(),
         rays => format!(
-            "At each size hits were compared before anything was timed, bit for bit: {} in all.",
-            numbers::things(rays, "answer")
+            "At each size hits were compared bit for bit before anything was timed: {} in all.",
+            numbers::things(rays, "result")
         ),
     };
     let note = format!(
-        "The exponent of the power law through the medians of time a ray against triangles: 0 is \
-         constant, 1 is linear. {checked}"
+        "The slope is the exponent of the power law fitted to the medians of time per ray against \
+         triangles: 0 is constant, 1 is linear. {checked}"
     );
     let mut table = Table::new("Slopes", note, &heads);
-    let left = |entry: &Dropped| {
+    let dropped_at = |entry: &Dropped| {
         format!("at {} triangles: {}", numbers::count(entry.triangles), entry.reason)
     };
     let dropped =
@@ -36,10 +36,10 @@ fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
             Cell::of(curve.fit, |fit| format!("{:.2}", fit.slope)),
             Cell::of(curve.fit.and_then(|fit| fit.slope_error), |error| format!("{error:.2}")),
             Cell::text(curve.values.len().to_string()),
-            Cell::of(dropped(curve), left),
+            Cell::of(dropped(curve), dropped_at),
         ]);
     }
-    // Who left before anything was timed has no curve, but a reason.
+    // A structure that was dropped before anything was timed has no curve, but a reason.
     let timed = |entry: &Dropped| figures.curves.iter().any(|c| c.structure == entry.structure);
     for entry in sweep.dropped.iter().filter(|entry| !timed(entry)) {
         table.rows.push(vec![
@@ -48,7 +48,7 @@ fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
             Cell::nothing(),
             Cell::nothing(),
             Cell::text("0"),
-            Cell::text(left(entry)),
+            Cell::text(dropped_at(entry)),
         ]);
     }
     table

@@ -1,7 +1,6 @@
-//! The tables of a report, before it is decided how they look.
+//! The tables of a report, independent of the form that shows them.
 //!
-//! Markdown and HTML draw the same tables, so they say the same numbers. Knows records and
-//! figures; knows neither of the languages.
+//! Markdown and HTML draw the same tables, so they show the same numbers. Nothing here writes Markdown or HTML.
 
 mod baseline;
 mod growth;
@@ -24,27 +23,28 @@ pub(super) use scene::{
 pub(super) use stages::stage_table;
 
 use super::numbers::{self, NOTHING};
-use crate::record::statistics::{Estimate, INTERVAL_ROUNDS};
+use crate::analysis::statistics::INTERVAL_ROUNDS;
+use crate::record::Estimate;
 
-/// A table with a heading line.
+/// A table with a title.
 pub(super) struct Table {
-    /// What it is about.
+    /// The title.
     pub(super) title: String,
-    /// How it is to be read; may be empty.
+    /// How to read it; may be empty.
     pub(super) note: String,
     /// The columns.
     pub(super) columns: Vec<Column>,
-    /// The lines, each with a cell for each column.
+    /// The rows, each with a cell for each column.
     pub(super) rows: Vec<Vec<Cell>>,
 }
 
-/// A column's heading, and whether numbers stand in it.
+/// A column's heading, and whether its cells are numbers.
 pub(super) struct Column {
     pub(super) head: String,
     pub(super) numeric: bool,
 }
 
-/// What stands in a cell.
+/// The content of a cell.
 pub(super) struct Cell {
     /// The text or number.
     pub(super) text: String,
@@ -53,7 +53,7 @@ pub(super) struct Cell {
 }
 
 impl Table {
-    /// A table without lines. Columns whose heading starts with `#` hold numbers.
+    /// A table without rows. Columns whose heading starts with `#` hold numbers.
     fn new(title: impl Into<String>, note: impl Into<String>, heads: &[&str]) -> Self {
         let column = |head: &&str| {
             let number = head.strip_prefix('#');
@@ -64,7 +64,7 @@ impl Table {
     }
 }
 
-/// What stands in place of an interval for which there were too few rounds.
+/// What is shown in place of an interval if there were too few rounds.
 fn too_few(estimate: Estimate) -> Option<String> {
     (estimate.rounds < INTERVAL_ROUNDS).then(|| NOTHING.to_owned())
 }
@@ -78,7 +78,7 @@ impl Cell {
         Self::text(NOTHING)
     }
 
-    /// What a value looks like, or a dash.
+    /// A value as text, or a dash.
     fn of<T>(value: Option<T>, show: impl FnOnce(T) -> String) -> Self {
         value.map_or_else(Self::nothing, |value| Self::text(show(value)))
     }

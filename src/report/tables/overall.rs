@@ -1,34 +1,35 @@
-//! All scenes at a glance: who is how fast, and where that was proved.
+//! All scenes at a glance: how fast each structure is, and where its results were proved equal.
 
 use super::{Cell, Table};
-use crate::record::derived::{Derived, OverallFigures};
+use crate::analysis::OverallFigures;
 use crate::record::{Comparison, RayClass, SceneRecord, Status};
-use crate::report::numbers;
+use crate::report::{Report, numbers};
 
-/// Geometric means over the scenes, a line for each structure; without lines for a single scene.
-pub(in crate::report) fn overall_table(comparison: &Comparison, derived: &Derived) -> Table {
-    let traced = |class: &RayClass| derived.overall.iter().any(|own| own.class == *class);
+/// Geometric means over the scenes, a row for each structure; without rows for a single scene.
+pub(in crate::report) fn overall_table(report: &Report<'_>) -> Table {
+    let Report { comparison, analysis, .. } = report;
+    let traced = |class: &RayClass| analysis.overall.iter().any(|own| own.class == *class);
     let classes: Vec<RayClass> = RayClass::ALL.into_iter().filter(traced).collect();
     let heads: Vec<String> = std::iter::once("Structure".to_owned())
         .chain(classes.iter().map(|class| format!("#{}", class.name())))
         .collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
     let note = format!(
-        "How many times as fast as {}, ray for ray: geometric means over the scenes in which both \
-         traced the class. Below each stands over how many; only means over the same scenes can \
-         be compared.",
+        "How many times as fast as {}, per ray: geometric means over the scenes in which both traced \
+         the class. Below each is the number of these scenes. Only means over the same scenes can be \
+         compared.",
         comparison.base
     );
     let mut table = Table::new("All scenes together", note, &heads);
     if comparison.scenes.len() < 2 {
         return table;
     }
-    let mut names: Vec<&str> = derived.overall.iter().map(|own| own.structure.as_str()).collect();
+    let mut names: Vec<&str> = analysis.overall.iter().map(|own| own.structure.as_str()).collect();
     names.dedup();
     let row = |name: &&str| {
         let cell = |class: &RayClass| {
             let is_own = |own: &&OverallFigures| own.structure == *name && own.class == *class;
-            derived.overall.iter().find(is_own).map_or_else(Cell::nothing, |own| Cell {
+            analysis.overall.iter().find(is_own).map_or_else(Cell::nothing, |own| Cell {
                 text: numbers::figures(own.speedup),
                 spread: Some(numbers::things(own.scenes.into(), "scene")),
             })
@@ -39,8 +40,7 @@ pub(in crate::report) fn overall_table(comparison: &Comparison, derived: &Derive
     table
 }
 
-/// What was proved in which scene, a line for each scene; without lines for a single scene, whose
-/// own table says it all.
+/// What was proved in which scene, a row for each scene; without rows for a single scene, which has a table of its own.
 pub(in crate::report) fn proof_matrix(comparison: &Comparison) -> Table {
     let mut names: Vec<&str> = Vec::new();
     for row in comparison.scenes.iter().flat_map(|scene| &scene.structures) {
@@ -49,8 +49,8 @@ pub(in crate::report) fn proof_matrix(comparison: &Comparison) -> Table {
         }
     }
     let heads: Vec<&str> = std::iter::once("Scene").chain(names.iter().copied()).collect();
-    let note = "Pictures and hits, each equal to the reference's bit for bit, and the number of \
-                recorded rays whose answers were compared.";
+    let note = "What equals the reference's bit for bit, and the number of recorded rays whose hits \
+                were compared.";
     let mut table = Table::new("What was proved", note, &heads);
     if comparison.scenes.len() < 2 {
         return table;

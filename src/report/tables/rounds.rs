@@ -3,7 +3,7 @@
 use super::{Cell, Table};
 use crate::record::{HardwareCounters, Round, SceneRecord, StructureRecord};
 
-/// All rounds of a scene, a line for each measurement.
+/// All rounds of a scene, a row for each measurement.
 pub(in crate::report) fn round_table(scene: &SceneRecord) -> Table {
     let heads = ["Measured", "Structure", "Unit", "Rounds, in the order of measurement"];
     let mut table = Table::new("Every raw round", "", &heads);

@@ -68,7 +68,7 @@ fn plan(run: &Run) -> Vec<(&'static str, String)> {
         (
             "Rounds",
             format!(
-                "{} to warm up, then at least {} or until the interval is within {}",
+                "{} to warm up, then at least {}, and more until the interval is within ± {}",
                 rule.warmup,
                 rule.at_least,
                 numbers::percent(rule.relative_interval)

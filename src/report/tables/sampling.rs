@@ -1,43 +1,41 @@
 //! The tables of the chapter on sampling.
 
 use super::{Cell, Table};
-use crate::record::derived::{Derived, NoiseFigures, OperationFigures, Pairing, ShareFigures};
-use crate::record::statistics::Estimate;
+use crate::analysis::{Analysis, NoiseFigures, OperationFigures, Pairing, ShareFigures};
 use crate::record::{ConvergedPicture, FramePart, SamplingChapter};
 use crate::report::numbers;
 
 /// Costs, shares of a frame, noise, and what it was measured against.
 pub(in crate::report) fn sampling_tables(
     chapter: &SamplingChapter,
-    derived: &Derived,
+    analysis: &Analysis,
 ) -> Vec<Table> {
     vec![
-        costs(&derived.operations),
-        shares(&chapter.parts, &derived.shares),
+        costs(&analysis.operations),
+        shares(&chapter.parts, &analysis.shares),
         noise(
             "Noise that is left by equal samples",
             "Root of the mean squared difference to a converged picture, in linear units; medians \
-             of frames with different random numbers. The time is that of the processor, on one \
-             thread. In each round both methods trace the same \
-             view rays, and the ratio is the median of the rounds' ratios.",
+             of frames with different random numbers. Time is processor time on one thread. In each \
+             round both methods trace the same view rays. The ratio is the median of the rounds' \
+             ratios.",
             Pairing::EqualSamples,
-            &derived.noise,
+            &analysis.noise,
         ),
         noise(
             "Noise that is left after equal time",
-            "The times are those of shuffled frames as they were measured. The noise of \
-             independent samples at these times, and how many samples that would be, are \
-             interpolated between their measured frames, on logarithmic axes. Times beyond these \
-             are left out.",
+            "Times are those of the measured shuffled frames. Noise and number of independent samples \
+             at these times are interpolated between the measured independent frames, on \
+             logarithmic axes. Times outside their range are left out.",
             Pairing::EqualTime,
-            &derived.noise,
+            &analysis.noise,
         ),
         converged(&chapter.converged),
     ]
 }
 
 fn costs(operations: &[OperationFigures]) -> Table {
-    let note = "In batches on one thread, in interleaved rounds.";
+    let note = "Measured in batches on one thread, in interleaved rounds.";
     let mut table = Table::new("What an operation costs", note, &["Operation", "#Time", "#Rounds"]);
     let row = |figures: &OperationFigures| {
         vec![
@@ -52,8 +50,9 @@ fn costs(operations: &[OperationFigures]) -> Table {
 
 fn shares(parts: &[FramePart], shares: &[ShareFigures]) -> Table {
     let heads = ["Scene", "Sampling", "#View samples", "Part", "#Times in a frame", "#Share"];
-    let note = "How often a frame does it, times what it costs in a batch, over the median \
-                processor time of the frame on one thread. Between a renderer's other work it may cost more.";
+    let note = "How often a frame performs the operation, times its cost in a batch, over the median \
+                processor time of the frame on one thread. Within a renderer the operation may cost \
+                more than in a batch.";
     let mut table = Table::new("Share of a frame", note, &heads);
     let row = |(part, figures): (&FramePart, &ShareFigures)| {
         vec![
@@ -88,7 +87,7 @@ fn noise(title: &str, note: &str, pairing: Pairing, noise: &[NoiseFigures]) -> T
             Cell::text(samples(figures.pixel_samples)),
             Cell::text(figures.light_samples.to_string()),
             Cell::time(Some(figures.ns)),
-            rmse(figures.rmse),
+            Cell::estimate(Some(figures.rmse)),
             Cell::estimate(figures.ratio),
             Cell::text(figures.rmse.rounds.to_string()),
         ]
@@ -97,20 +96,17 @@ fn noise(title: &str, note: &str, pairing: Pairing, noise: &[NoiseFigures]) -> T
     table
 }
 
-/// Whole numbers as such, others as they are rounded everywhere.
+/// Whole numbers without decimals, others rounded as everywhere.
 fn samples(n: f64) -> String {
     if n.fract() == 0.0 { format!("{n}") } else { numbers::figures(n) }
 }
 
-fn rmse(estimate: Estimate) -> Cell {
-    Cell::estimate(Some(estimate))
-}
-
 fn converged(pictures: &[ConvergedPicture]) -> Table {
     let heads = ["Scene", "#Width", "#Height", "#Renderings", "#View", "#Light", "#Own RMSE"];
-    let note = "The mean of renderings with independent samples, so many view samples a pixel and \
-                light samples for each in every one. Its own noise, by how they differ, is within \
-                all noise above.";
+    let note = "The mean of renderings with independent samples. View samples are per pixel and \
+                rendering, light samples per view sample and light. The noise of the mean itself is \
+                estimated from the differences between its renderings, and is included in all noise \
+                above.";
     let mut table = Table::new("Converged pictures", note, &heads);
     let row = |picture: &ConvergedPicture| {
         vec![

@@ -1,14 +1,14 @@
 //! The tables of a scene: proof, structures, rays, time to the picture.
 
 use super::{Cell, Table};
-use crate::record::derived::{ClassFigures, SceneFigures, StructureFigures};
-use crate::record::statistics::BreakEven;
+use crate::analysis::statistics::BreakEven;
+use crate::analysis::{ClassFigures, SceneFigures, StructureFigures};
 use crate::record::{
-    Proof, SceneRecord, Shape, Status, StructureProof, StructureRecord, YardstickProof,
+    PeerAgreement, Proof, SceneRecord, ShapeRecord, Status, StructureProof, StructureRecord,
 };
 use crate::report::numbers;
 
-/// That the answers are equal.
+/// Whether the results are equal.
 pub(in crate::report) fn proof_table(proof: &Proof) -> Table {
     let heads = [
         "Structure",
@@ -23,23 +23,23 @@ pub(in crate::report) fn proof_table(proof: &Proof) -> Table {
     if let Some(witness) = &proof.witness {
         let reference = &proof.reference;
         table.note = format!(
-            "{reference} had time for some of the rays only. {witness} agrees with it on these, and \
-             the others were held against {witness} on as many rays as their rows say. "
+            "{reference} had time for some of the rays only, and {witness} agrees with it on all of \
+             them. The other structures were compared with {witness}. "
         );
     }
-    if !proof.yardsticks.is_empty() {
-        table.note += YARDSTICK_NOTE;
-        table.rows.extend(proof.yardsticks.iter().map(yardstick_row));
+    if !proof.peers.is_empty() {
+        table.note += PEER_NOTE;
+        table.rows.extend(proof.peers.iter().map(peer_row));
     }
     table
 }
 
-/// What a reader must know of yardsticks.
-const YARDSTICK_NOTE: &str = "A yardstick is not held to equality: its formulas are its own, so its \
-                              hits and pictures differ in their last bits. Its answers agree where \
-                              they name the same primitive, or a distance that is nearly the same.";
+/// How the rows of peers are to be read.
+const PEER_NOTE: &str = "A peer is another library. Its formulas differ from srt's, so its hits and \
+                         pictures differ in their last bits. Its result for a ray agrees if it has \
+                         the same primitive or nearly the same distance.";
 
-fn yardstick_row(entry: &YardstickProof) -> Vec<Cell> {
+fn peer_row(entry: &PeerAgreement) -> Vec<Cell> {
     let differing = entry.rays_checked - entry.rays_agreeing;
     vec![
         Cell::text(&entry.structure),
@@ -51,11 +51,11 @@ fn yardstick_row(entry: &YardstickProof) -> Vec<Cell> {
     ]
 }
 
-/// How a yardstick agrees, in words.
-pub(in crate::report) fn agreement(entry: &YardstickProof) -> String {
-    // Rounded down: 100 % are all.
+/// How a peer agrees, in words.
+pub(in crate::report) fn agreement(entry: &PeerAgreement) -> String {
+    // Rounded down, so that 100 % means all.
     let percent = entry.share().map(|share| (share * 1e6).floor() / 1e4);
-    percent.map_or_else(|| "a yardstick".to_owned(), |p| format!("a yardstick: {p} % agree"))
+    percent.map_or_else(|| "a peer".to_owned(), |p| format!("a peer: {p} % agree"))
 }
 
 fn proof_row(entry: &StructureProof, reference: &str) -> Vec<Cell> {
@@ -65,7 +65,7 @@ fn proof_row(entry: &StructureProof, reference: &str) -> Vec<Cell> {
         Some(false) => "DIFFERS",
         None => "not compared",
     };
-    // Nothing is said of what was never compared, and the reference is compared with nothing.
+    // Empty cells for what was not compared; the reference is not compared with anything.
     let is_other = entry.structure != reference;
     let pixels = (is_other && entry.picture_equal.is_some()).then_some(entry);
     let rays = (entry.rays_checked > 0).then_some(entry);
@@ -79,7 +79,7 @@ fn proof_row(entry: &StructureProof, reference: &str) -> Vec<Cell> {
     ]
 }
 
-/// What the structures are, and what their builds took.
+/// Builds, memory and shapes of the structures.
 pub(in crate::report) fn structure_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
     let heads = [
         "Structure",
@@ -97,10 +97,10 @@ pub(in crate::report) fn structure_table(scene: &SceneRecord, figures: &SceneFig
         "#EPO",
     ];
     let note = format!(
-        "Memory is that of the index without its primitives. Below a time stands the 95 % interval \
-         of its median. SAH cost is what a ray pays by the surface area heuristic, EPO what one \
-         pays that ends on a surface, in boxes that the surface does not belong to; a test costs \
-         1.{}",
+        "Memory is that of the index without its primitives. Below a time is the 95 % interval of \
+         its median. SAH cost is the expected cost of a ray by the surface area heuristic. EPO is \
+         the end-point overlap: the cost of the boxes around a ray's end point that do not belong \
+         to the surface there. A test costs 1.{}",
         overlap_note(scene)
     );
     let mut table = Table::new("Structures", note, &heads);
@@ -130,7 +130,7 @@ fn structure_row(record: &StructureRecord, figures: &StructureFigures) -> Vec<Ce
 }
 
 /// End-point overlap, with its standard error where it was estimated.
-fn overlap(shape: &Shape) -> Option<Cell> {
+fn overlap(shape: &ShapeRecord) -> Option<Cell> {
     let epo = shape.epo?;
     let places = numbers::decimals(epo, 5);
     let spread = shape.epo_standard_error.map(|error| format!("± {error:.places$}"));
@@ -142,8 +142,7 @@ fn overlap_note(scene: &SceneRecord) -> String {
     let samples = scene.structures.iter().find_map(|own| own.shape.as_ref()?.epo_samples);
     samples.map_or_else(String::new, |samples| {
         format!(
-            " EPO was estimated from {} that were chosen by area; behind ± stands its standard \
-             error.",
+            " EPO was estimated from {}, sampled by area; ± is its standard error.",
             numbers::things(samples, "triangle")
         )
     })
@@ -155,13 +154,13 @@ fn status(status: &Status) -> String {
         Status::Ok => "ok".to_owned(),
         Status::Failed { message } => format!("failed: {message}"),
         Status::TooSlow { after_seconds } => {
-            format!("too slow after {}", numbers::time(after_seconds * 1e9))
+            format!("too slow for {}", numbers::time(after_seconds * 1e9))
         }
         Status::Stopped => "stopped early".to_owned(),
     }
 }
 
-/// What the rays took, by class.
+/// The rays, by class.
 pub(in crate::report) fn ray_table(figures: &SceneFigures) -> Table {
     let heads = [
         "Class",
@@ -180,18 +179,18 @@ pub(in crate::report) fn ray_table(figures: &SceneFigures) -> Table {
     ];
     let base = figures.base.as_deref().unwrap_or("none");
     let mut note = format!(
-        "Medians of rounds, each with its 95 % interval, or – where there were too few. “× base” \
-         is how many times as fast as {base}, round by round, on the rays that both traced: the \
-         last column says how many. ns/ray leaves out what was spent waiting for a processor that \
-         other programs had."
+        "Medians of rounds, each with its 95 % interval, or – if there were too few rounds. “× base” \
+         is how many times as fast as {base} the structure is: the median of the rounds' ratios, on \
+         the rays that both traced. Their number is in the last column. ns/ray does not include \
+         waiting for a processor that other programs used."
     );
     let all = || figures.structures.iter().flat_map(|structure| &structure.classes);
     if all().any(ClassFigures::is_disturbed) {
-        note += " † marks rows whose rounds took more than a tenth longer on the wall: trust them \
-                 less.";
+        note += " † marks rows with a wall time of more than 1.1 times the rounds' own time: they are \
+                 less reliable.";
     }
     if all().any(|class| class.speedup.is_some() && class.speedup_rays.is_none()) {
-        note += " ‡ marks ratios between times of different rays.";
+        note += " ‡ marks ratios of times of different rays.";
     }
     let mut table = Table::new("Rays", note, &heads);
     for class in figures.classes() {
@@ -225,12 +224,12 @@ fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
     ]
 }
 
-/// What the processor counted; without lines where it was not granted.
+/// What the processor counted; without rows if the system did not permit it.
 pub(in crate::report) fn hardware_table(figures: &SceneFigures) -> Table {
     let heads =
         ["Class", "Structure", "#Instructions/cycle", "#Branch misses/ray", "#Cache misses/ray"];
-    let note = "Medians of rounds, each with its 95 % interval; cache misses are those of the last \
-                cache.";
+    let note = "Medians of rounds, each with its 95 % interval. Cache misses are those of the \
+                last-level cache.";
     let mut table = Table::new("Hardware counters", note, &heads);
     for class in figures.classes() {
         let rows = figures.structures.iter().filter_map(|s| Some((s, s.class(class)?)));
@@ -248,13 +247,13 @@ fn hardware_row(structure: &str, class: &ClassFigures) -> Option<Vec<Cell>> {
     })
 }
 
-/// Build and rendering together, and from when on a dearer build pays.
+/// Build and rendering together, and from how many rays on a slower build pays off.
 pub(in crate::report) fn picture_table(figures: &SceneFigures) -> Table {
     let heads =
         ["Structure", "#Build", "#Render", "#Together", "#× base", "#Rounds", "Ahead of the base"];
     let note = format!(
-        "All threads. The last column says from how many of the picture's mean rays on a structure \
-         has made up for its build, against {}.",
+        "All threads. The last column is the number of the picture's mean rays from which on a \
+         structure is faster than {}, build included.",
         figures.base.as_deref().unwrap_or("the base")
     );
     let mut table = Table::new("Time to the picture", note, &heads);

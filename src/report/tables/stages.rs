@@ -1,15 +1,14 @@
-//! What the builds spent their time on.
+//! The stages of builds and their times.
 
 use super::{Cell, Table};
 use crate::record::{SceneRecord, StructureRecord};
 use crate::report::numbers;
 
-/// The stages of the builds, in the order in which they came. A structure that tells a single one
-/// has no line: that is its whole build.
+/// The stages of the builds, in order. A structure with a single stage has no row: that is its whole build.
 pub(in crate::report) fn stage_table(scene: &SceneRecord, threads: u32) -> Table {
     let note = format!(
-        "Wall times within one build on {}, that of the structure that was traced. Shares are \
-         those of all stages together.",
+        "Wall times of one build on {}: that of the structure that was traced. Shares are of all \
+         stages together.",
         numbers::things(u64::from(threads), "thread")
     );
     let heads = ["Structure", "Stage", "#Time", "#Share"];

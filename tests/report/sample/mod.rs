@@ -5,8 +5,6 @@ mod noise;
 mod pictures;
 mod scenes;
 
-use srt::record::baseline::{Baseline, Change, Changes};
-use srt::record::statistics::{Estimate, Interval};
 use srt::record::*;
 
 pub(crate) use pictures::pictures;
@@ -81,10 +79,30 @@ fn baseline() -> Baseline {
         threshold: 0.1,
         outcome: Changes {
             changes: vec![change(RayClass::View, 1.31), change(RayClass::Shadow, 1.01)],
-            warnings: vec!["The seed was 1 and is 42. The rays are others.".to_owned()],
+            warnings: vec![
+                "The seed was 1 and is 42. The two runs traced different rays.".to_owned(),
+            ],
             doubts: vec!["The compiler was rustc 1.89.0 and is rustc 1.91.0.".to_owned()],
         },
     }
+}
+
+/// A scene and a sweep with structures of these names.
+pub(crate) fn with_structures<'a>(names: impl IntoIterator<Item = &'a str>) -> Comparison {
+    let mut comparison = full();
+    comparison.scenes.truncate(1);
+    comparison.sampling = None;
+    let (scene, sweep) = (&mut comparison.scenes[0], &mut comparison.sweeps[0]);
+    let row = scene.structures.remove(2);
+    let mut points = std::mem::take(&mut sweep.points);
+    points.retain(|point| point.structure == row.name);
+    scene.structures.clear();
+    for name in names {
+        scene.structures.push(StructureRecord { name: name.to_owned(), ..row.clone() });
+        let own = |point: &SweepPoint| SweepPoint { structure: name.to_owned(), ..point.clone() };
+        sweep.points.extend(points.iter().map(own));
+    }
+    comparison
 }
 
 /// A run in which nothing was measured.

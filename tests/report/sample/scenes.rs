@@ -6,7 +6,7 @@ use super::noise::{rounds, times};
 use super::pictures::{hash, picture_file};
 
 /// What is typical of a structure in a scene.
-struct Kind {
+struct Typical {
     name: &'static str,
     build_ms: f64,
     bytes: u64,
@@ -16,8 +16,8 @@ struct Kind {
     view: (f64, f64, f64),
 }
 
-fn class(kind: &Kind, class: RayClass, rays: u64, dearer: f64, key: u64) -> ClassRecord {
-    let (ns, boxes, primitives) = kind.view;
+fn class(typical: &Typical, class: RayClass, rays: u64, dearer: f64, key: u64) -> ClassRecord {
+    let (ns, boxes, primitives) = typical.view;
     ClassRecord {
         class,
         rays,
@@ -25,7 +25,7 @@ fn class(kind: &Kind, class: RayClass, rays: u64, dearer: f64, key: u64) -> Clas
         boxes: Some((boxes * dearer * rays as f64) as u64),
         primitives: Some((primitives * dearer * rays as f64) as u64),
         rounds: rounds(ns * dearer * rays as f64, 12, key),
-        common: (kind.name == "cwbvh" && class == RayClass::Random).then(|| CommonRays {
+        common: (typical.name == "cwbvh" && class == RayClass::Random).then(|| CommonRays {
             rays: 1_000,
             own: without_hardware(rounds(ns * dearer * 1e3, 12, key + 7)),
             base: without_hardware(rounds(ns * dearer * 4e5, 12, key + 8)),
@@ -38,7 +38,7 @@ fn without_hardware(mut rounds: Vec<Round>) -> Vec<Round> {
     rounds
 }
 
-fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRecord {
+fn structure(scene: &str, typical: &Typical, triangles: u64, key: u64) -> StructureRecord {
     let mixed = [
         (RayClass::View, 307_200, 1.0),
         (RayClass::Shadow, 512_640, 0.8),
@@ -48,29 +48,29 @@ fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRec
         (RayClass::Random, 262_144, 1.4),
     ];
     let of_class = |(i, &(name, rays, dearer)): (usize, &(RayClass, u64, f64))| {
-        class(kind, name, rays, dearer, key + i as u64)
+        class(typical, name, rays, dearer, key + i as u64)
     };
-    let tree = kind.nodes > 1;
-    let render_ms = kind.view.0 * 1.2;
+    let tree = typical.nodes > 1;
+    let render_ms = typical.view.0 * 1.2;
     StructureRecord {
-        name: kind.name.to_owned(),
-        yardstick: false,
+        name: typical.name.to_owned(),
+        peer: false,
         status: Status::Ok,
         build: BuildRecord {
-            one_thread_ns: times(kind.build_ms * 1.8e6, 10, key + 50),
-            all_threads_ns: times(kind.build_ms * 1e6, 10, key + 51),
-            stages: stages(kind),
+            one_thread_ns: times(typical.build_ms * 1.8e6, 10, key + 50),
+            all_threads_ns: times(typical.build_ms * 1e6, 10, key + 51),
+            stages: stages(typical),
         },
         memory: Some(Memory {
-            index_bytes: kind.bytes,
+            index_bytes: typical.bytes,
             primitive_bytes: triangles * 48,
-            peak_resident_bytes: Some(kind.bytes * 3 + triangles * 96),
+            peak_resident_bytes: Some(typical.bytes * 3 + triangles * 96),
         }),
-        shape: Some(Shape {
-            nodes: kind.nodes,
-            leaves: kind.leaves.iter().sum(),
+        shape: Some(ShapeRecord {
+            nodes: typical.nodes,
+            leaves: typical.leaves.iter().sum(),
             depth: if tree { 23 } else { 0 },
-            leaf_sizes: kind.leaves.clone(),
+            leaf_sizes: typical.leaves.clone(),
             primitives: triangles,
             references: triangles,
             sah_cost: tree.then_some(38.412),
@@ -81,15 +81,15 @@ fn structure(scene: &str, kind: &Kind, triangles: u64, key: u64) -> StructureRec
         classes: mixed.iter().enumerate().map(of_class).collect(),
         picture_rounds: times(render_ms * 1e6, 8, key + 60)
             .into_iter()
-            .map(|render_ns| PictureRound { build_ns: (kind.build_ms * 1e6) as u64, render_ns })
+            .map(|render_ns| PictureRound { build_ns: (typical.build_ms * 1e6) as u64, render_ns })
             .collect(),
-        heatmap: Some(picture_file(&format!("pictures/{scene}-{}-heat.png", kind.name), key)),
+        heatmap: Some(picture_file(&format!("pictures/{scene}-{}-heat.png", typical.name), key)),
     }
 }
 
 /// Those of a tree tell more.
-fn stages(kind: &Kind) -> Vec<BuildStage> {
-    let shares: &[(&str, f64)] = if kind.nodes > 1 {
+fn stages(typical: &Typical) -> Vec<BuildStage> {
+    let shares: &[(&str, f64)] = if typical.nodes > 1 {
         &[
             ("triangles", 0.031),
             ("boxes", 0.044),
@@ -103,7 +103,7 @@ fn stages(kind: &Kind) -> Vec<BuildStage> {
     };
     let stage = |&(name, share): &(&str, f64)| BuildStage {
         name: name.to_owned(),
-        ns: (kind.build_ms * share * 1e6) as u64,
+        ns: (typical.build_ms * share * 1e6) as u64,
     };
     shares.iter().map(stage).collect()
 }
@@ -127,7 +127,7 @@ fn proof(structures: &[&str], key: u64) -> Proof {
         reference: structures[0].to_owned(),
         witness: Some(structures[2].to_owned()),
         structures: structures.iter().map(entry).collect(),
-        yardsticks: vec![YardstickProof {
+        peers: vec![PeerAgreement {
             structure: "other".to_owned(),
             rays_checked: 1_446_528,
             rays_agreeing: 1_446_520,
@@ -143,8 +143,8 @@ pub(super) fn bunny() -> SceneRecord {
         sizes[n] = 1;
         sizes
     };
-    let kinds = [
-        Kind {
+    let all = [
+        Typical {
             name: "none",
             build_ms: 0.412,
             bytes: 0,
@@ -152,7 +152,7 @@ pub(super) fn bunny() -> SceneRecord {
             leaves: one_leaf(1_000),
             view: (61_234.0, 0.0, 69_451.0),
         },
-        Kind {
+        Typical {
             name: "ball",
             build_ms: 0.688,
             bytes: 16,
@@ -160,7 +160,7 @@ pub(super) fn bunny() -> SceneRecord {
             leaves: one_leaf(1_000),
             view: (24_310.0, 1.0, 27_600.0),
         },
-        Kind {
+        Typical {
             name: "bvh",
             build_ms: 24.6,
             bytes: 4_444_864,
@@ -168,7 +168,7 @@ pub(super) fn bunny() -> SceneRecord {
             leaves: leaves(triangles),
             view: (142.0, 31.24, 3.71),
         },
-        Kind {
+        Typical {
             name: "cwbvh",
             build_ms: 31.9,
             bytes: 1_555_700,
@@ -189,16 +189,16 @@ pub(super) fn bunny() -> SceneRecord {
         proof: Some(proof(&["none", "ball", "bvh", "cwbvh"], 1)),
         heat_scale: Some(HeatScale { low: 1.0, high: 412_000.0, spacing: Spacing::Logarithmic }),
         structures: (0..)
-            .zip(&kinds)
-            .map(|(i, kind)| structure("bunny", kind, triangles, 100 * i))
+            .zip(&all)
+            .map(|(i, typical)| structure("bunny", typical, triangles, 100 * i))
             .collect(),
     }
 }
 
 pub(super) fn hall() -> SceneRecord {
     let triangles = 279_163;
-    let kinds = [
-        Kind {
+    let all = [
+        Typical {
             name: "ball",
             build_ms: 2.9,
             bytes: 16,
@@ -210,7 +210,7 @@ pub(super) fn hall() -> SceneRecord {
             },
             view: (251_000.0, 1.0, 279_163.0),
         },
-        Kind {
+        Typical {
             name: "bvh",
             build_ms: 101.3,
             bytes: 17_866_432,
@@ -218,7 +218,7 @@ pub(super) fn hall() -> SceneRecord {
             leaves: leaves(triangles),
             view: (311.0, 66.1, 5.9),
         },
-        Kind {
+        Typical {
             name: "cwbvh",
             build_ms: 134.8,
             bytes: 6_253_200,
@@ -237,7 +237,7 @@ pub(super) fn hall() -> SceneRecord {
         },
         ..StructureRecord::default()
     };
-    let rest = (10..).zip(&kinds).map(|(i, kind)| structure("hall", kind, triangles, 100 * i));
+    let rest = (10..).zip(&all).map(|(i, typical)| structure("hall", typical, triangles, 100 * i));
     SceneRecord {
         name: "hall".to_owned(),
         path: "scenes/hall.sce".to_owned(),

@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use crate::record::statistics::{Estimate, estimate, median, million_per_second, paired_ratio};
-use crate::record::{ClassRecord, CommonRays, HardwareCounters, RayClass, Round};
+use super::statistics::{estimate, median, million_per_second, paired_ratio};
+use crate::record::{ClassRecord, CommonRays, Estimate, HardwareCounters, RayClass, Round};
 
-/// What a class of rays took with a structure.
+/// The figures of a class of rays with a structure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ClassFigures {
     /// The class.
@@ -14,46 +14,44 @@ pub struct ClassFigures {
     pub rays: u64,
     /// The share of them that hit something, from 0 to 1.
     pub hit_share: Option<f64>,
-    /// Box tests a ray.
+    /// Box tests per ray.
     pub boxes_per_ray: Option<f64>,
-    /// Primitive tests a ray.
+    /// Primitive tests per ray.
     pub primitives_per_ray: Option<f64>,
-    /// Time of a ray in nanoseconds: wall time without what was spent waiting for a processor that
-    /// other programs had ([`Round::own_ns`]).
+    /// Own time per ray in nanoseconds: wall time without waiting for a processor that other programs used
+    /// ([`Round::own_ns`]).
     pub ns_per_ray: Option<Estimate>,
-    /// Processor time of a ray in nanoseconds, all threads together.
+    /// Processor time per ray in nanoseconds, all threads together.
     pub cpu_ns_per_ray: Option<Estimate>,
-    /// The median over the rounds of wall time over the rounds' own time: 1 where no other program
-    /// had the processor meanwhile.
+    /// The median over the rounds of wall time over own time: 1 if no other program used the processor.
     pub disturbance: Option<f64>,
-    /// Instructions in a clock cycle, where the processor counted both.
+    /// Instructions per clock cycle, if the processor counted both.
     pub instructions_per_cycle: Option<Estimate>,
-    /// Wrongly predicted branches a ray, where the processor counted them.
+    /// Mispredicted branches per ray, if the processor counted them.
     pub branch_misses_per_ray: Option<Estimate>,
-    /// Reads that missed the last cache a ray, where the processor counted them.
+    /// Reads per ray that missed the last-level cache, if the processor counted them.
     pub cache_misses_per_ray: Option<Estimate>,
-    /// Millions of rays a second.
+    /// Millions of rays per second.
     pub million_rays_per_second: Option<Estimate>,
-    /// How many times as fast as the scene's base, ray for ray.
+    /// How many times as fast as the scene's base, per ray, on the rays that both traced.
     pub speedup: Option<Estimate>,
-    /// On how many rays that is so; absent where it is the ratio of times of different rays, in
-    /// older records.
+    /// How many rays both traced; absent if `speedup` is the ratio of times of different rays, in older records.
     pub speedup_rays: Option<u64>,
 }
 
 impl ClassFigures {
-    /// A disturbance above which times are marked: other programs took a tenth or more, and what
-    /// they left in the caches, no clock leaves out.
+    /// Times with a larger disturbance are marked: other programs changed the caches too, which own time does not
+    /// exclude.
     pub const DISTURBED: f64 = 1.1;
 
-    /// Whether other programs had the processor for a good part of the time.
+    /// Whether other programs used the processor for a large part of the time.
     #[must_use]
     pub fn is_disturbed(&self) -> bool {
         self.disturbance.is_some_and(|disturbance| disturbance > Self::DISTURBED)
     }
 }
 
-/// The figures of a class, with the same class of the base beside it.
+/// The figures of a class; ratios are to the same class of the base.
 pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> ClassFigures {
     let per_ray = |n: u64| quotient(n as f64, own.rays as f64);
     let ns_per_ray = estimate(&own_ns_per_ray(&own.rounds, own.rays));
@@ -78,15 +76,15 @@ pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> Cl
     }
 }
 
-/// The own time of a ray in nanoseconds, for each round; empty if a round has no rays.
-pub(in crate::record) fn own_ns_per_ray(rounds: &[Round], rays: u64) -> Vec<f64> {
+/// The own time per ray in nanoseconds, for each round; empty if a round has no rays.
+pub(super) fn own_ns_per_ray(rounds: &[Round], rays: u64) -> Vec<f64> {
     if rays == 0 {
         return Vec::new();
     }
     rounds.iter().map(|round| round.own_ns() as f64 / rays as f64).collect()
 }
 
-/// How much longer rounds took on the wall than of their own, in the median.
+/// Wall time over own time, in the median over the rounds.
 fn disturbance(rounds: &[Round]) -> Option<f64> {
     let of_round = |round: &Round| {
         round.cpu_ns?;
@@ -96,13 +94,13 @@ fn disturbance(rounds: &[Round]) -> Option<f64> {
     median(&rounds?)
 }
 
-/// Millions of rays a second at a time for each ray.
+/// Millions of rays per second from the time per ray.
 fn rate(ns_per_ray: Estimate) -> Option<Estimate> {
     million_per_second(1, ns_per_ray.median)?;
     Some(ns_per_ray.map(|ns| million_per_second(1, ns).unwrap_or(f64::MAX)))
 }
 
-/// The ratio to the base and on how many rays it was taken: on those that both traced.
+/// The ratio to the base on the rays that both traced, and their number.
 fn speedup(base: &ClassRecord, own: &ClassRecord) -> (Option<Estimate>, Option<u64>) {
     let ratio = |base: &[Round], own: &[Round], base_rays, own_rays| {
         paired_ratio(&own_ns_per_ray(base, base_rays), &own_ns_per_ray(own, own_rays))
@@ -116,7 +114,7 @@ fn speedup(base: &ClassRecord, own: &ClassRecord) -> (Option<Estimate>, Option<u
     }
 }
 
-/// The estimate of the processor's time, if every round has one.
+/// Processor time per ray, if it was measured in every round.
 fn cpu_ns_per_ray(class: &ClassRecord) -> Option<Estimate> {
     let per_ray = |round: &Round| quotient(round.cpu_ns? as f64, class.rays as f64);
     let rounds: Option<Vec<f64>> = class.rounds.iter().map(per_ray).collect();
@@ -159,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn what_other_programs_took_is_left_out_and_told() {
+    fn waiting_for_other_programs_is_left_out_and_reported() {
         let busy = |wall_ns, cpu_ns| {
             let mut class = class(100, &[wall_ns; 6]);
             class.rounds.iter_mut().for_each(|round| round.cpu_ns = Some(cpu_ns));
@@ -170,14 +168,14 @@ mod tests {
         assert_eq!(figures.speedup.unwrap().median, 1.0, "equal work took equal time");
         assert_eq!(figures.ns_per_ray.unwrap().median, 99.0);
         assert!(figures.is_disturbed() && !class_figures(&base, None).is_disturbed());
-        // Two threads that worked on a round had more processor time than there was.
+        // Two threads together have more processor time than the wall time of the round.
         let parallel = class_figures(&busy(10_000, 19_000), None);
         assert_eq!(parallel.ns_per_ray.unwrap().median, 100.0);
         assert_eq!(parallel.disturbance, Some(1.0));
     }
 
     #[test]
-    fn ratios_are_those_of_rays_that_both_traced() {
+    fn ratios_are_of_the_rays_that_both_traced() {
         let base = class(100, &[40_000; 6]);
         let mut own = class(1_000, &[100_000; 6]);
         assert_eq!(class_figures(&own, Some(&base)).speedup_rays, None, "of different rays");
@@ -189,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn figures_are_ray_for_ray() {
+    fn figures_are_per_ray() {
         let base = class(100, &[40_000; 6]);
         let own = class(1_000, &[100_000; 6]);
         let figures = class_figures(&own, Some(&base));
@@ -201,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_processor_counted_is_set_against_cycles_and_rays() {
+    fn what_the_processor_counted_is_per_cycle_and_per_ray() {
         let mut class = class(1_000, &[5_000; 6]);
         for (round, n) in class.rounds.iter_mut().zip(0..) {
             round.hardware = Some(HardwareCounters {
@@ -215,10 +213,10 @@ mod tests {
         let ipc = figures.instructions_per_cycle.unwrap();
         assert_eq!((ipc.median, ipc.rounds), (2.5, 6));
         assert_eq!(figures.branch_misses_per_ray.unwrap().median, 1.5);
-        assert_eq!(figures.cache_misses_per_ray, None, "not granted");
+        assert_eq!(figures.cache_misses_per_ray, None, "not counted");
         class.rounds[3].hardware = None;
         let figures = class_figures(&class, None);
-        assert_eq!(figures.instructions_per_cycle, None, "not granted in every round");
+        assert_eq!(figures.instructions_per_cycle, None, "not counted in every round");
         class.rounds =
             vec![Round { hardware: Some(HardwareCounters::default()), wall_ns: 1, cpu_ns: None }];
         assert_eq!(class_figures(&class, None).branch_misses_per_ray, None);

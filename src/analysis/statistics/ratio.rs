@@ -1,23 +1,22 @@
-//! How many times as fast: ratios with intervals.
+//! Ratios of times, with intervals.
 
 use super::estimate::{
-    Estimate, INTERVAL_ROUNDS, RESAMPLES, all_finite, draw, estimate, median, median_of, quantiles,
-    random,
+    INTERVAL_ROUNDS, RESAMPLES, all_finite, draw, estimate, median, median_of, quantiles, random,
 };
+use crate::record::Estimate;
 
-/// The median of `base[n] / own[n]`: how many times as fast the own is as the base.
+/// The median of `base[n] / own[n]`: how many times as fast as the base.
 ///
-/// Rounds of the same number ran beside each other, so what slowed the machine slowed both and
-/// leaves their ratio alone. Rounds that only one of them has are left out. `None` without common
-/// rounds or if a ratio is not a finite number.
+/// Rounds are interleaved: what slows the machine slows rounds of the same number alike, and cancels in their ratio.
+/// Rounds that only one of both has are left out. `None` without common rounds, or if a ratio is not finite.
 #[must_use]
 pub fn paired_ratio(base: &[f64], own: &[f64]) -> Option<Estimate> {
     let ratios: Vec<f64> = base.iter().zip(own).map(|(base, own)| base / own).collect();
     estimate(&ratios)
 }
 
-/// `median(base) / median(own)` of rounds that did not run beside each other, such as those of two
-/// runs; both are resampled, each for itself.
+/// `median(base) / median(own)` of rounds that were not interleaved, such as those of two runs. The interval is by the
+/// percentile bootstrap: both are resampled independently.
 #[must_use]
 pub fn unpaired_ratio(base: &[f64], own: &[f64]) -> Option<Estimate> {
     let ratio = median(base)? / median(own)?;
@@ -42,11 +41,11 @@ pub fn unpaired_ratio(base: &[f64], own: &[f64]) -> Option<Estimate> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Interval;
     use super::*;
+    use crate::record::Interval;
 
     #[test]
-    fn what_slows_both_leaves_the_paired_ratio_alone() {
+    fn what_slows_both_cancels_in_the_paired_ratio() {
         let own: Vec<f64> = (1..=12).map(|n| f64::from(n * n)).collect();
         let base: Vec<f64> = own.iter().map(|t| 3.0 * t).collect();
         let ratio = paired_ratio(&base, &own).unwrap();

@@ -1,4 +1,4 @@
-//! Between two measurements: a straight line on doubly logarithmic axes.
+//! Interpolation between measurements: a straight line on two logarithmic axes.
 
 /// y at x, between the nearest points (x, y) on both sides. `None` beyond the first and the last
 /// point, or if a coordinate is not positive and finite.
@@ -22,7 +22,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn powers_are_met_between_points_in_any_order() {
+    fn powers_are_interpolated_exactly_between_points_in_any_order() {
         let points = [(100.0, 0.1), (1.0, 1.0), (10_000.0, 0.01)];
         assert!((log_log_interpolate(&points, 25.0).unwrap() - 0.2).abs() < 1e-12);
         assert!((log_log_interpolate(&points, 2_500.0).unwrap() - 0.02).abs() < 1e-12);
@@ -30,7 +30,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_said_beyond_the_ends() {
+    fn there_is_no_value_beyond_the_ends() {
         let points = [(1.0, 1.0), (4.0, 0.5)];
         assert_eq!(log_log_interpolate(&points, 0.9), None);
         assert_eq!(log_log_interpolate(&points, 4.1), None);

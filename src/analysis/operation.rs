@@ -1,17 +1,17 @@
-//! Figures of operations that are done very often.
+//! Figures of operations that a frame performs very often.
 
 use serde::Serialize;
 
 use super::class::quotient;
-use crate::record::OperationCost;
-use crate::record::statistics::{Estimate, estimate};
+use super::statistics::estimate;
+use crate::record::{Estimate, OperationCost};
 
-/// What an operation costs.
+/// The cost of an operation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OperationFigures {
-    /// What it is.
+    /// The operation.
     pub operation: String,
-    /// Processor time of doing it once, in nanoseconds.
+    /// Processor time of one operation, in nanoseconds.
     pub ns: Option<Estimate>,
 }
 

@@ -1,23 +1,23 @@
-//! The noise of methods of sampling, side by side: for equal samples, and for equal time.
+//! The noise of sampling methods compared: for equal samples and for equal time.
 //!
-//! Frames have square numbers of samples, so two methods never take quite the same time. The
-//! noise of one at the time of the other is interpolated between its own measurements.
+//! Frames have square numbers of samples, so two methods never take exactly the same time. The noise of one at the time
+//! of the other is interpolated between its measurements.
 
 use serde::Serialize;
 
-use crate::record::NoisePoint;
-use crate::record::statistics::{Estimate, estimate, log_log_interpolate, paired_ratio};
+use super::statistics::{estimate, log_log_interpolate, paired_ratio};
+use crate::record::{Estimate, NoisePoint};
 
 /// The method that others are compared with.
 const BASE: &str = "independent";
 
-/// What is held equal between two methods of sampling.
+/// What is equal in a comparison of two sampling methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Pairing {
     /// The same number of samples.
     EqualSamples,
-    /// As many samples as take the same time.
+    /// The same time, with as many samples as that allows.
     EqualTime,
 }
 
@@ -26,20 +26,19 @@ pub enum Pairing {
 pub struct NoiseFigures {
     /// The name of the scene.
     pub scene: String,
-    /// What it has in common with the other method's figures beside it.
+    /// What is equal to the other method.
     pub pairing: Pairing,
     /// The method.
     pub sampling: String,
-    /// View samples for each pixel; not whole where they are interpolated.
+    /// View samples for each pixel; not a whole number if it is interpolated.
     pub pixel_samples: f64,
     /// Light samples for each view sample and light.
     pub light_samples: u32,
     /// Processor time of a frame on one thread, in nanoseconds.
     pub ns: Estimate,
-    /// Root of the mean squared difference to the converged picture; without an interval where it
-    /// is interpolated.
+    /// Root of the mean squared difference to the converged picture; without an interval if it is interpolated.
     pub rmse: Estimate,
-    /// This noise over that of `independent` beside it; absent for `independent` itself.
+    /// This noise over that of `independent` with the same pairing; absent for `independent` itself.
     pub ratio: Option<Estimate>,
 }
 
@@ -90,12 +89,12 @@ impl<'a> Measured<'a> {
             other.point.sampling == BASE && other.point.pixel_samples == self.point.pixel_samples
         });
         let base = base.filter(|_| self.point.sampling != BASE);
-        // A round's frames share their view rays, so much of the noise of these leaves the ratio.
+        // The frames of a round have the same view rays, so most noise of the view rays cancels in the ratio.
         let ratio = |base: &Self| paired_ratio(&self.point.rounds_rmse, &base.point.rounds_rmse);
         self.figures(Pairing::EqualSamples, base.and_then(ratio))
     }
 
-    /// This point, and the base at its time; `None` where the base was not measured around it.
+    /// This point, and the base at the same time; `None` if that time is outside the range of the base.
     fn for_equal_time(&self, all: &[Self]) -> Option<[NoiseFigures; 2]> {
         let base = || all.iter().filter(|other| other.point.sampling == BASE);
         let at_this_time = |value: fn(&Self) -> f64| {
@@ -105,15 +104,15 @@ impl<'a> Measured<'a> {
         let pixel_samples = at_this_time(|own| f64::from(own.point.pixel_samples))?;
         let noise = at_this_time(|own| own.rmse.median)?;
         let rounds = base().map(|own| own.rmse.rounds).min()?;
-        let alone = |median: f64| Estimate { median, interval: None, rounds };
-        let ratio = alone(self.rmse.median / noise);
-        let beside = NoiseFigures {
+        let without_interval = |median: f64| Estimate { median, interval: None, rounds };
+        let ratio = without_interval(self.rmse.median / noise);
+        let base = NoiseFigures {
             sampling: BASE.to_owned(),
             pixel_samples,
-            rmse: alone(noise),
+            rmse: without_interval(noise),
             ..self.figures(Pairing::EqualTime, None)
         };
-        Some([self.figures(Pairing::EqualTime, Some(ratio)), beside])
+        Some([self.figures(Pairing::EqualTime, Some(ratio)), base])
     }
 }
 
@@ -144,7 +143,7 @@ mod tests {
         let ratio = |figures: &NoiseFigures| figures.ratio.map(|ratio| ratio.median);
         let samples: Vec<_> = figures.iter().take(4).map(ratio).collect();
         assert_eq!(samples, [Some(0.5), Some(0.3), None, None]);
-        // At 800 ns the base was not measured.
+        // 800 ns is outside the range of the base.
         let [own, base] = &figures[4..] else { panic!("{figures:?}") };
         assert_eq!((own.pairing, base.pairing), (Pairing::EqualTime, Pairing::EqualTime));
         assert_eq!((own.ns.median, base.ns.median), (200.0, 200.0));
@@ -155,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn points_without_frames_say_nothing() {
+    fn points_without_frames_have_no_figures() {
         let mut empty = point("shuffled", 4, 1, 1.0);
         empty.rounds_ns.clear();
         assert_eq!(noise(&[empty]), []);

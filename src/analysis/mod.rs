@@ -1,22 +1,24 @@
-//! All figures that follow from a record, computed once; every report prints these.
+//! What follows from a record: medians, intervals, ratios, growth, break-even points, changes against a baseline.
 //!
-//! Knows which rounds belong together, and leaves the arithmetic to
-//! [`statistics`](super::statistics).
+//! [`Analysis::of`] computes all figures of a record at once, so that every form of a report prints the same ones.
+//! The modules here decide which rounds belong together; the arithmetic is in [`statistics`]. Nothing here measures,
+//! rounds or formats a number.
 
+pub mod baseline;
 mod class;
 mod noise;
 mod operation;
 mod overall;
 mod scene;
 mod share;
+pub mod statistics;
 mod sweep;
 
 use serde::Serialize;
 
-use super::Comparison;
+use crate::record::Comparison;
 
 pub use class::ClassFigures;
-pub(super) use class::own_ns_per_ray;
 pub use noise::{NoiseFigures, Pairing};
 pub use operation::OperationFigures;
 pub use overall::OverallFigures;
@@ -24,9 +26,9 @@ pub use scene::{SceneFigures, StructureFigures};
 pub use share::ShareFigures;
 pub use sweep::{SweepCurve, SweepFigures, SweepValue};
 
-/// What follows from a [`Comparison`].
+/// What follows from a [`Comparison`]; `derived` in its JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Derived {
+pub struct Analysis {
     /// One for each scene, in the record's order.
     pub scenes: Vec<SceneFigures>,
     /// Each structure and class over all scenes.
@@ -37,11 +39,11 @@ pub struct Derived {
     pub operations: Vec<OperationFigures>,
     /// One for each part of a frame in the chapter on sampling, in the record's order.
     pub shares: Vec<ShareFigures>,
-    /// The noise that each method of sampling leaves, for equal samples and for equal time.
+    /// The noise of each sampling method, for equal samples and for equal time.
     pub noise: Vec<NoiseFigures>,
 }
 
-impl Derived {
+impl Analysis {
     /// Computes all figures of a record.
     #[must_use]
     pub fn of(comparison: &Comparison) -> Self {

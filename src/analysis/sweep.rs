@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use super::class::own_ns_per_ray;
-use crate::record::statistics::{Estimate, PowerLaw, estimate, log_log_fit};
-use crate::record::{RayClass, Sweep, SweepPoint};
+use super::statistics::{PowerLaw, estimate, log_log_fit};
+use crate::record::{Estimate, RayClass, Sweep, SweepPoint};
 
-/// How cost grows over a family of meshes.
+/// The curves of a family of meshes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SweepFigures {
     /// The family.
@@ -24,7 +24,7 @@ pub struct SweepCurve {
     pub class: RayClass,
     /// The measurements, by growing size.
     pub values: Vec<SweepValue>,
-    /// The power law through the medians of nanoseconds a ray against triangles.
+    /// The power law fitted to the medians of nanoseconds per ray against triangles.
     pub fit: Option<PowerLaw>,
 }
 
@@ -33,7 +33,7 @@ pub struct SweepCurve {
 pub struct SweepValue {
     /// Triangles in the mesh.
     pub triangles: u64,
-    /// Time of a ray in nanoseconds, without what was spent waiting for the processor.
+    /// Own time per ray in nanoseconds.
     pub ns_per_ray: Estimate,
 }
 

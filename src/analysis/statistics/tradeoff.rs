@@ -1,15 +1,15 @@
-//! Build time against tracing time: who pays, and from when on?
+//! Build time against tracing time: from how many rays on a slower build pays off.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
-/// Millions of things a second. `None` if they took no time.
+/// Millions per second. `None` if they took no time.
 #[must_use]
 pub fn million_per_second(count: u64, nanoseconds: f64) -> Option<f64> {
     let rate = count as f64 * 1e3 / nanoseconds;
     rate.is_finite().then_some(rate)
 }
 
-/// What a structure costs once, and what each ray costs.
+/// The cost of a structure and of each ray through it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cost {
     /// Nanoseconds of the build.
@@ -18,8 +18,8 @@ pub struct Cost {
     pub ray_ns: f64,
 }
 
-/// From when on a structure is ahead of another.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// From how many rays on a structure is faster than another.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "when", rename_all = "snake_case")]
 pub enum BreakEven {
     /// From the first ray on: neither its build nor its rays cost more.
@@ -29,7 +29,7 @@ pub enum BreakEven {
         /// The number of rays at which both have taken the same time.
         rays: f64,
     },
-    /// Only until so many rays: its build costs less, its rays more.
+    /// Only up to so many rays: its build costs less, its rays more.
     Until {
         /// The number of rays at which both have taken the same time.
         rays: f64,
@@ -38,8 +38,8 @@ pub enum BreakEven {
     Never,
 }
 
-/// From when on `own` is ahead of `base`: the rays n at which
-/// `own.build + n·own.ray = base.build + n·base.ray`. Equal costs are never ahead.
+/// From how many rays on `own` is faster than `base`: the n with `own.build + n·own.ray = base.build + n·base.ray`. Of
+/// equal costs none is faster.
 #[must_use]
 pub fn break_even(own: Cost, base: Cost) -> BreakEven {
     let build = own.build_ns - base.build_ns;
@@ -53,14 +53,15 @@ pub fn break_even(own: Cost, base: Cost) -> BreakEven {
     }
 }
 
-/// Which points no other point beats, where less is better in both coordinates: by growing first
-/// coordinate, as indices. Of equal points all are on the front; points with a NaN never are.
+/// The Pareto front: the points that no other point dominates, if less is better in both coordinates. They are given as
+/// indices, by growing first coordinate. Of equal points all are on the front; points with a NaN never are.
 #[must_use]
 pub fn pareto_front(points: &[(f64, f64)]) -> Vec<usize> {
-    let beats = |a: (f64, f64), b: (f64, f64)| a.0 <= b.0 && a.1 <= b.1 && (a.0 < b.0 || a.1 < b.1);
+    let dominates =
+        |a: (f64, f64), b: (f64, f64)| a.0 <= b.0 && a.1 <= b.1 && (a.0 < b.0 || a.1 < b.1);
     let mut front: Vec<usize> = (0..points.len())
         .filter(|&i| !points[i].0.is_nan() && !points[i].1.is_nan())
-        .filter(|&i| !points.iter().any(|&other| beats(other, points[i])))
+        .filter(|&i| !points.iter().any(|&other| dominates(other, points[i])))
         .collect();
     front.sort_by(|&a, &b| points[a].0.total_cmp(&points[b].0));
     front
@@ -95,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn the_front_is_what_nothing_beats() {
+    fn the_front_is_what_nothing_dominates() {
         let points = [(3.0, 1.0), (1.0, 3.0), (2.0, 2.0), (3.0, 2.0), (2.0, 4.0), (f64::NAN, 0.0)];
         assert_eq!(pareto_front(&points), [1, 2, 0]);
         assert_eq!(pareto_front(&[(1.0, 1.0), (1.0, 1.0)]), [0, 1]);

@@ -1,13 +1,13 @@
-//! What share of a frame an operation takes.
+//! The share of a frame that an operation takes.
 
 use serde::Serialize;
 
 use super::OperationFigures;
 use super::class::quotient;
-use crate::record::statistics::median;
+use super::statistics::median;
 use crate::record::{FramePart, SamplingChapter};
 
-/// A part of the time that a frame takes.
+/// The share of an operation in the time of a frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ShareFigures {
     /// The name of the scene.
@@ -16,8 +16,7 @@ pub struct ShareFigures {
     pub sampling: String,
     /// The operation.
     pub operation: String,
-    /// How often a frame does it, times the median of what it costs once, as a share of the median
-    /// time of a frame.
+    /// How often a frame performs it, times the median of its cost, over the median time of a frame.
     pub share: Option<f64>,
 }
 

@@ -1,76 +1,34 @@
-//! The median of some rounds, and how sure it is.
-
-use serde::{Deserialize, Serialize};
+//! The median of some rounds and its confidence interval.
 
 use crate::math::Random;
+use crate::record::{Estimate, Interval};
 
-/// Resamples of a bootstrap.
+/// The number of resamples of a bootstrap.
 pub const RESAMPLES: usize = 2_000;
 
-/// Rounds from which an interval is given: the range of five values covers their median with a
-/// probability of 1 − 2·2⁻⁵ = 93.75 %, that of six with 96.9 %, so fewer cannot give 95 %.
+/// The least number of rounds for an interval. The range of five values covers the median with a probability of
+/// 1 − 2·2⁻⁵ = 93.75 %, that of six with 96.9 %; so fewer than six cannot give 95 %.
 pub const INTERVAL_ROUNDS: usize = 6;
 
 const SEED: u64 = 0x0062_6f6f_7473_7472;
 
-/// A 95 % interval.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Interval {
-    /// What is below with at most 2.5 %.
-    pub low: f64,
-    /// What is above with at most 2.5 %.
-    pub high: f64,
-}
-
-/// A median and its interval.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Estimate {
-    /// The median.
-    pub median: f64,
-    /// The 95 % interval of the median; absent for fewer than [`INTERVAL_ROUNDS`] values.
-    pub interval: Option<Interval>,
-    /// How many values there were.
-    pub rounds: usize,
-}
-
-impl Estimate {
-    /// Half the interval's width, as a share of the median.
-    #[must_use]
-    pub fn relative_half_width(&self) -> Option<f64> {
-        let interval = self.interval?;
-        (self.median != 0.0).then(|| (interval.high - interval.low) / 2.0 / self.median.abs())
-    }
-
-    /// The estimate of a monotone function of what was estimated: medians and quantiles go through
-    /// it as they are.
-    #[must_use]
-    pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
-        let interval = self.interval.map(|interval| {
-            let (a, b) = (f(interval.low), f(interval.high));
-            Interval { low: a.min(b), high: a.max(b) }
-        });
-        Self { median: f(self.median), interval, rounds: self.rounds }
-    }
-}
-
-/// The middle value; of an even number of values, the mean of the two in the middle. `None` of no
-/// values, or if one is not finite.
+/// The middle value; for an even number of values, the mean of the two in the middle. `None` without values, or if one
+/// is not finite.
 #[must_use]
 pub fn median(values: &[f64]) -> Option<f64> {
     if all_finite(values) { median_of(&mut values.to_vec()) } else { None }
 }
 
-/// The median of values and its interval. `None` of no values, or if one is not finite.
+/// The median of values and its interval. `None` without values, or if one is not finite.
 #[must_use]
 pub fn estimate(values: &[f64]) -> Option<Estimate> {
     let median = median(values)?;
     Some(Estimate { median, interval: order_interval(values), rounds: values.len() })
 }
 
-/// The exact interval of the median of whatever values of one distribution: from the k-th smallest
-/// to the k-th largest (H. A. David, H. N. Nagaraja: *Order Statistics*, 3rd edition, section 7.1).
-/// The median lies below the k-th smallest with the probability that fewer than k of n fair coins
-/// show heads; k is the largest with at most 2.5 %.
+/// The exact interval of the median, for any distribution: from the k-th smallest to the k-th largest value (H. A.
+/// David, H. N. Nagaraja: *Order Statistics*, 3rd edition, section 7.1). The median lies below the k-th smallest value
+/// with the probability that fewer than k of n fair coins show heads; k is the largest number with at most 2.5 %.
 fn order_interval(values: &[f64]) -> Option<Interval> {
     let n = values.len();
     let k = outermost(n)?;
@@ -81,7 +39,7 @@ fn order_interval(values: &[f64]) -> Option<Interval> {
 
 /// The largest k of [`order_interval`]; `None` if there is none.
 fn outermost(n: usize) -> Option<usize> {
-    // Logarithms: 2⁻ⁿ leaves the numbers for more than a thousand values.
+    // Logarithms: 2⁻ⁿ underflows for more than a thousand values.
     let (mut ln_term, mut below) = (-(n as f64) * std::f64::consts::LN_2, 0.0);
     let mut k = 0;
     while k < n {
@@ -95,13 +53,13 @@ fn outermost(n: usize) -> Option<usize> {
     (k > 0).then_some(k)
 }
 
-/// The random numbers of a bootstrap over so many values.
+/// The random numbers of a bootstrap over lists of these lengths.
 pub(super) fn random(lengths: &[usize]) -> Random {
     let key: Vec<u64> = std::iter::once(SEED).chain(lengths.iter().map(|&n| n as u64)).collect();
     Random::new(&key)
 }
 
-/// Fills `resample` with as many of the values, drawn with replacement.
+/// Fills `resample` with values drawn with replacement, as many as there are.
 pub(super) fn draw(values: &[f64], random: &mut Random, resample: &mut Vec<f64>) {
     let n = u32::try_from(values.len()).unwrap_or(u32::MAX);
     resample.clear();
@@ -179,13 +137,5 @@ mod tests {
     fn the_same_rounds_give_the_same_interval() {
         let values: Vec<f64> = (0..30).map(|i| f64::from(i * i % 17)).collect();
         assert_eq!(estimate(&values), estimate(&values));
-    }
-
-    #[test]
-    fn a_falling_function_turns_the_interval_round() {
-        let interval = Some(Interval { low: 2.0, high: 5.0 });
-        let inverse = Estimate { median: 4.0, interval, rounds: 9 }.map(|x| 1.0 / x);
-        assert_eq!(inverse.interval, Some(Interval { low: 0.2, high: 0.5 }));
-        assert_eq!((inverse.median, inverse.rounds), (0.25, 9));
     }
 }

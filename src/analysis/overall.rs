@@ -12,10 +12,10 @@ pub struct OverallFigures {
     pub structure: String,
     /// The class of rays.
     pub class: RayClass,
-    /// The geometric mean of the scenes' ratios (Fleming, Wallace: *How not to lie with
-    /// statistics*, CACM 29(3), 1986: of ratios, the only mean that does not depend on the base).
+    /// The geometric mean of the scenes' ratios: of ratios, the only mean that does not depend on the base (Fleming,
+    /// Wallace: *How not to lie with statistics*, CACM 29(3), 1986).
     pub speedup: f64,
-    /// Over how many scenes: those in which it and the base traced this class.
+    /// The number of these scenes: those in which the structure and the base traced this class.
     pub scenes: u32,
 }
 

@@ -3,28 +3,22 @@
 use serde::Serialize;
 
 use super::class::{ClassFigures, class_figures, quotient};
-use crate::record::statistics::{
-    BreakEven, Cost, Estimate, break_even, estimate, paired_ratio, pareto_front,
-};
-use crate::record::{PictureRound, RayClass, SceneRecord, StructureRecord};
+use super::statistics::{BreakEven, Cost, break_even, estimate, paired_ratio, pareto_front};
+use crate::record::{Estimate, PictureRound, RayClass, SceneRecord, StructureRecord};
 
-/// The classes of which a picture is made; only these count into a structure's mean ray.
-const PICTURE_CLASSES: [RayClass; 4] =
-    [RayClass::View, RayClass::Shadow, RayClass::Mirror, RayClass::Refraction];
-
-/// What all structures did with a scene.
+/// The figures of all structures over a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SceneFigures {
     /// The name of the scene.
     pub scene: String,
-    /// The structure that ratios are taken to: the record's base, or where that was not measured
-    /// the first that was.
+    /// The structure that ratios are taken to: the record's base, or the first measured structure if the base was not
+    /// measured.
     pub base: Option<String>,
     /// The structures, in the record's order.
     pub structures: Vec<StructureFigures>,
 }
 
-/// What a structure did with a scene.
+/// The figures of a structure over a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StructureFigures {
     /// The name of the structure.
@@ -33,9 +27,9 @@ pub struct StructureFigures {
     pub build_one_thread_ns: Option<Estimate>,
     /// Wall time of the build on all threads, in nanoseconds.
     pub build_all_threads_ns: Option<Estimate>,
-    /// Bytes of the index for each triangle that is stored.
+    /// Bytes of the index per triangle in memory.
     pub bytes_per_triangle: Option<f64>,
-    /// References from leaves to primitives, for each primitive.
+    /// References from leaves to primitives, per primitive.
     pub references_per_primitive: Option<f64>,
     /// Wall time of build and rendering on all threads, in nanoseconds.
     pub picture_ns: Option<Estimate>,
@@ -45,13 +39,13 @@ pub struct StructureFigures {
     pub picture_render_ns: Option<Estimate>,
     /// How many times as fast as the base is with build and rendering.
     pub picture_speedup: Option<Estimate>,
-    /// Time of the mean ray of the picture, in nanoseconds: medians of the classes view,
-    /// shadow, mirror and refraction, weighed by their rays.
+    /// Own time of the picture's mean ray in nanoseconds: the medians of the classes of
+    /// [`RayClass::RENDERED`](RayClass::RENDERED), weighted by their rays.
     pub mean_ray_ns: Option<f64>,
-    /// From how many of these rays on it is ahead of the base, builds on all threads included;
-    /// absent where there were too few rounds for an interval of all of these times.
+    /// From how many of these rays on it is faster than the base, builds on all threads included; absent if one of
+    /// these times has too few rounds for an interval.
     pub break_even: Option<BreakEven>,
-    /// Whether no other structure has both a cheaper build and a cheaper mean ray.
+    /// Whether no other structure has both a faster build and a faster mean ray.
     pub on_pareto_front: bool,
     /// The classes of rays that were traced.
     pub classes: Vec<ClassFigures>,
@@ -119,11 +113,11 @@ impl StructureFigures {
         self.classes.iter().find(|figures| figures.class == class)
     }
 
-    /// Whether its build and its rays were measured often enough for an interval.
-    fn is_sure(&self) -> bool {
+    /// Whether its build and all rays of a picture have intervals.
+    fn has_intervals(&self) -> bool {
         let build = self.build_all_threads_ns.or(self.build_one_thread_ns);
         let has_interval = |estimate: &Estimate| estimate.interval.is_some();
-        let of_picture = self.classes.iter().filter(|c| PICTURE_CLASSES.contains(&c.class));
+        let of_picture = self.classes.iter().filter(|c| RayClass::RENDERED.contains(&c.class));
         build.as_ref().is_some_and(has_interval)
             && of_picture.map(|c| c.ns_per_ray).all(|e| e.as_ref().is_some_and(has_interval))
     }
@@ -136,12 +130,12 @@ impl StructureFigures {
     }
 }
 
-/// The triangles that structures index: each mesh has one index, however many objects it makes.
+/// The triangles that structures index: each mesh has one index for all of its objects.
 fn stored(scene: &SceneRecord) -> u64 {
     if scene.stored_triangles > 0 { scene.stored_triangles } else { scene.triangles }
 }
 
-/// The structure of the name, or the first one, that traced any rays.
+/// The structure of the name if it traced any rays, or the first structure that did.
 fn base_of<'a>(scene: &'a SceneRecord, name: &str) -> Option<&'a StructureRecord> {
     let traced = |structure: &&StructureRecord| {
         structure.classes.iter().any(|class| !class.rounds.is_empty())
@@ -150,7 +144,7 @@ fn base_of<'a>(scene: &'a SceneRecord, name: &str) -> Option<&'a StructureRecord
     scene.structure(name).filter(traced).or_else(first)
 }
 
-/// Fills in what needs all structures: break-even points and the Pareto front.
+/// Computes what depends on all structures: break-even points and the Pareto front.
 fn compare_costs(structures: &mut [StructureFigures], base: Option<&StructureRecord>) {
     let costs: Vec<Option<Cost>> = structures.iter().map(StructureFigures::cost).collect();
     let points: Vec<(f64, f64)> = costs
@@ -164,17 +158,18 @@ fn compare_costs(structures: &mut [StructureFigures], base: Option<&StructureRec
     else {
         return;
     };
-    let sure_base = structures[base].is_sure();
+    let base_has_intervals = structures[base].has_intervals();
     for (i, structure) in structures.iter_mut().enumerate().filter(|&(i, _)| i != base) {
-        let costs = costs[i].zip(costs[base]).filter(|_| sure_base && structure.is_sure());
+        let costs =
+            costs[i].zip(costs[base]).filter(|_| base_has_intervals && structure.has_intervals());
         structure.break_even = costs.map(|(own, base)| break_even(own, base));
     }
 }
 
-/// The mean over the picture's rays of their classes' medians; `None` if one is missing.
+/// The mean over the picture's rays of the medians of their classes; `None` if one is missing.
 fn mean_ray_ns(classes: &[ClassFigures]) -> Option<f64> {
     let (mut ns, mut rays) = (0.0, 0.0);
-    for class in classes.iter().filter(|c| c.rays > 0 && PICTURE_CLASSES.contains(&c.class)) {
+    for class in classes.iter().filter(|c| c.rays > 0 && RayClass::RENDERED.contains(&c.class)) {
         ns += class.ns_per_ray?.median * class.rays as f64;
         rays += class.rays as f64;
     }
@@ -186,7 +181,7 @@ fn picture_ns(structure: &StructureRecord) -> Vec<f64> {
     picture_part(structure, |round| round.build_ns + round.render_ns)
 }
 
-/// Something of each round, in nanoseconds.
+/// A part of each round, in nanoseconds.
 fn picture_part(structure: &StructureRecord, part: fn(&PictureRound) -> u64) -> Vec<f64> {
     structure.picture_rounds.iter().map(|round| part(round) as f64).collect()
 }

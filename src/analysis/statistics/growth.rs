@@ -1,9 +1,9 @@
-//! How cost grows with size: a straight line on doubly logarithmic axes.
+//! How cost grows with size: a straight line on two logarithmic axes.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// `y = factor · x^slope`, fitted by least squares to the logarithms.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PowerLaw {
     /// The exponent: 0 is constant, 1 is linear.
     pub slope: f64,

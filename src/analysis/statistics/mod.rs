@@ -1,0 +1,16 @@
+//! The arithmetic of the analysis, on plain numbers: medians, intervals, ratios, power laws, break-even points.
+//!
+//! The random numbers of the bootstrap have a fixed seed, so the same rounds always give the same interval. What cannot
+//! be computed from the given numbers is `None`, never NaN.
+
+mod estimate;
+mod growth;
+mod interpolate;
+mod ratio;
+mod tradeoff;
+
+pub use estimate::{INTERVAL_ROUNDS, RESAMPLES, estimate, median};
+pub use growth::{PowerLaw, log_log_fit};
+pub use interpolate::log_log_interpolate;
+pub use ratio::{paired_ratio, unpaired_ratio};
+pub use tradeoff::{BreakEven, Cost, break_even, million_per_second, pareto_front};
