@@ -5,10 +5,11 @@ use std::time::{Duration, Instant};
 
 use crate::accel::{Accel, BuildConfig, BuildStages, Indexed, StructureShape, Tracer};
 use crate::counters::Counts;
+use crate::description::Shape;
 use crate::math::{Hit, NONE, Ray};
 use crate::shapes::{EndPointOverlap, OVERLAP_SAMPLES, TriangleSet, end_point_overlap};
 
-use super::{Form, Object, ObjectList, Scene};
+use super::{Object, ObjectList, Scene};
 
 /// A scene indexed by `O` over its objects and by `T` over the triangles of each mesh.
 #[derive(Clone, Debug)]
@@ -74,7 +75,7 @@ impl<O: Accel, T: Accel> World<O, T> {
         let objects = Indexed::build(ObjectList::new(scene, &meshes), &config);
         stages.add("objects", over_objects.elapsed() - objects.check_time());
         let lone = match scene.objects[..] {
-            [Object { form: Form::Mesh { mesh, .. }, transform: NONE, .. }] => {
+            [Object { shape: Shape::Mesh { mesh, .. }, transform: NONE, .. }] => {
                 Some(Arc::clone(&meshes[mesh]))
             }
             _ => None,

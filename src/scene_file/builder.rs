@@ -67,7 +67,13 @@ impl Builder {
     }
 
     /// Adds an object with the material in force.
-    pub(super) fn add_object(&mut self, shape: Shape, transform: glam::DAffine3, span: Span) {
+    pub(super) fn add_object(
+        &mut self,
+        shape: impl Into<Shape>,
+        transform: glam::DAffine3,
+        span: Span,
+    ) {
+        let shape = shape.into();
         let material = self.material_id();
         self.objects.push(Object { shape, transform, material, span });
     }

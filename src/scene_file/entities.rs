@@ -4,6 +4,7 @@ use glam::{DAffine3, DVec3};
 
 use crate::description::{Light, Normals, Shape};
 use crate::math::Transform;
+use crate::shapes::{Ball, Cylinder, Single, Triangle};
 
 use super::builder::Builder;
 use super::command::is_nothing;
@@ -14,13 +15,16 @@ use super::values::Values;
 /// tells from none.
 const SMALLEST_SINE: f64 = 1e-12;
 
+/// A ball: it is transformed as it is read, where that keeps its form.
 pub(super) fn ball(builder: &mut Builder, values: &Values<'_>) {
-    let shape = Shape::Ball { radius: values.number(0), center: values.vector(1) };
-    add_transformed(builder, values, shape);
+    if let Some(transform) = usable_transform(builder, values) {
+        let (ball, transform) = Ball::transformed(values.vector(1), values.number(0), &transform);
+        builder.add_object(Single::Ball(ball), transform, values.span.clone());
+    }
 }
 
 pub(super) fn cylinder(builder: &mut Builder, values: &Values<'_>) {
-    add_transformed(builder, values, Shape::Cylinder);
+    add_transformed(builder, values, Single::Cylinder(Cylinder));
 }
 
 pub(super) fn mesh_flat(builder: &mut Builder, values: &Values<'_>) {
@@ -37,15 +41,23 @@ fn mesh(builder: &mut Builder, values: &Values<'_>, normals: Normals) {
 }
 
 /// Adds a shape in object space, if the transform in force can carry it.
-fn add_transformed(builder: &mut Builder, values: &Values<'_>, shape: Shape) {
+fn add_transformed(builder: &mut Builder, values: &Values<'_>, shape: impl Into<Shape>) {
+    if let Some(transform) = usable_transform(builder, values) {
+        builder.add_object(shape, transform, values.span.clone());
+    }
+}
+
+/// The transform in force, if it can carry an object; reported otherwise.
+fn usable_transform(builder: &mut Builder, values: &Values<'_>) -> Option<DAffine3> {
     let matrix = builder.state.transform.matrix;
     if !fits(matrix) {
         report_transform(builder, values, "is beyond single precision");
     } else if Transform::new(matrix).is_err() {
         report_transform(builder, values, "is singular: it flattens what it carries");
     } else {
-        builder.add_object(shape, matrix, values.span.clone());
+        return Some(matrix);
     }
+    None
 }
 
 /// One triangle: its corners are transformed as it is read.
@@ -58,7 +70,8 @@ pub(super) fn triangle(builder: &mut Builder, values: &Values<'_>) {
         let (_, count) = builder.degenerate.get_or_insert_with(|| (values.span.clone(), 0));
         *count += 1;
     } else {
-        builder.add_object(Shape::Triangle { corners }, DAffine3::IDENTITY, values.span.clone());
+        let triangle = Triangle::new(corners.map(|corner| corner.as_vec3()));
+        builder.add_object(Single::Triangle(triangle), DAffine3::IDENTITY, values.span.clone());
     }
 }
 

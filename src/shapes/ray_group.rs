@@ -1,7 +1,7 @@
 //! Sixteen rays at an object, a ray in each lane.
 
 use crate::math::Ray;
-use crate::simd::{LANES, Lanes, Lanes3, Row, Simd};
+use crate::simd::{LANES, Lanes, Lanes3, Mask, Row, Simd};
 
 use super::Place;
 use super::place::SoFar;
@@ -62,6 +62,12 @@ impl<S: Simd> Group<S> {
             self.begin = a.min(b).max(self.begin);
             self.end = a.max(b).min(self.end);
         }
+    }
+
+    /// Which rays count a hit at these parameters.
+    #[inline(always)]
+    pub(super) fn accepts(&self, t: S::F16) -> u32 {
+        (self.begin.le(t) & t.le(self.end)).bits()
     }
 
     /// Takes the rays to the object's own space: the operations of `RayToObject::apply`.

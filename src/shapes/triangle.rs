@@ -8,10 +8,12 @@
 use glam::{DVec3, Vec3, Vec3A};
 
 use crate::accel::ScaledHit;
-use crate::math::{Aabb, Ray, UNIT_ROUNDOFF};
-use crate::simd::{Lanes, Lanes3, cross, dot, sub};
+use crate::math::{Aabb, Hit, NONE, Ray, UNIT_ROUNDOFF};
+use crate::simd::{Lanes, Lanes3, Mask, Row, Simd, cross, dot, splat3, sub};
 
 use super::SurfacePoint;
+use super::ray_group::Group;
+use super::single_shape::{Found, SingleShape};
 
 /// Möller-Trumbore up to the division.
 ///
@@ -113,6 +115,41 @@ impl Triangle {
     }
 }
 
+impl SingleShape for Triangle {
+    const NAME: &'static str = "triangle";
+
+    fn bounds(&self) -> Aabb {
+        self.bounds()
+    }
+
+    #[inline]
+    fn first_hit(&self, ray: &Ray, counts: impl Fn(f32) -> bool) -> Option<Hit> {
+        let (t, u, v) = self.intersect(ray)?;
+        counts(t).then_some(Hit { t, object: NONE, prim: 0, u, v })
+    }
+
+    #[inline(always)]
+    fn first_hits<S: Simd>(&self, rays: &Group<S>) -> Found<S::F16> {
+        let zero = S::F16::splat(0.0);
+        let hit = scaled_hit(
+            rays.origin,
+            rays.dir,
+            splat3::<S::F16, _>(self.v0.to_array()),
+            splat3::<S::F16, _>(self.e1.to_array()),
+            splat3::<S::F16, _>(self.e2.to_array()),
+        );
+        let inside = zero.le(hit.u) & zero.le(hit.v) & (hit.u + hit.v).le(hit.det) & zero.le(hit.t);
+        let t = hit.t / hit.det;
+        let lanes = inside.bits() & rays.accepts(t);
+        Found { t, u: hit.u / hit.det, v: hit.v / hit.det, lanes, part: [0; 2] }
+    }
+
+    #[inline]
+    fn surface_point(&self, _: &Ray, hit: &Hit) -> SurfacePoint {
+        self.surface_point(hit.u, hit.v)
+    }
+}
+
 /// How far from the plane the sign of `t` is certain.
 ///
 /// `t·det = e2·(s × e1)` is the distance times |e1 × e2|. Each of its products passes five
@@ -130,6 +167,8 @@ fn clearance(e1: DVec3, e2: DVec3, double_area_recip: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shapes::Single;
+    use crate::shapes::single_many::tests::assert_same_bits;
 
     fn hit(origin: [f32; 3], dir: [f32; 3], t: &Triangle) -> Option<(f32, f32, f32)> {
         t.intersect(&Ray::new(origin.into(), dir.into()))
@@ -190,5 +229,11 @@ mod tests {
         let plane_distance = (p.position - t.v0.as_dvec3()).dot(p.normal.normalize());
         assert!(plane_distance.abs() < 1e-12);
         assert!(p.clearance > 0.0 && p.clearance < 1e-4);
+    }
+
+    #[test]
+    fn sixteen_rays_find_what_each_of_them_finds() {
+        let corners = [Vec3::new(-2.0, -1.0, 0.0), Vec3::X, Vec3::splat(1.5)];
+        assert_same_bits(&Single::Triangle(Triangle::new(corners)));
     }
 }
