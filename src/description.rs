@@ -68,6 +68,13 @@ pub struct Options {
     pub background: Color,
 }
 
+impl Default for Options {
+    /// The options of a scene file that sets none.
+    fn default() -> Self {
+        Self { max_recursion: 1, aa: 0, background: Color::ZERO }
+    }
+}
+
 impl Options {
     /// The most bounces that a view ray may take.
     pub const MAX_RECURSION: u32 = 1_000;

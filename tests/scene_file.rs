@@ -1,4 +1,4 @@
-//! Good scenes mean what they say, and no text whatever stops the parser or its messages.
+//! Good scenes are read as they are meant, and no text whatever makes the parser or its messages panic.
 
 use glam::{DAffine3, DVec3, Vec3};
 use proptest::prelude::*;
@@ -6,10 +6,10 @@ use proptest::prelude::*;
 use srt::description::{
     Camera, Light, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape, Span,
 };
-use srt::scene_file::{Diagnostic, ParseOptions, Severity, parse, render_diagnostics};
+use srt::scene_file::{Diagnostic, ParseOptions, Severity, commands, parse, render_diagnostics};
 use srt::shapes::{Ball, Cylinder, Single, Triangle};
 
-/// Every command, and every liberty of the text.
+/// Every command, and everything that the format allows.
 const FULL: &str = "\u{feff}sce1.0 # a scene with everything\r
 # the camera\r
 \teyepos 9 9 9\r
@@ -182,7 +182,7 @@ fn objects_of(text: &str) -> Vec<Object> {
 }
 
 #[test]
-fn what_is_repeated_is_what_would_be_written_so_often() {
+fn what_is_repeated_equals_what_is_written_as_often() {
     let repeated = objects_of(
         "repeat 3\n translate 1 0 0\n repeat 2 # twice\n rotate 90 0 0 1\n {\n cr 1 0 0\n \
          scale 2 2 2\n cylinder\n }\n end_repeat\n cr 0 1 0\nball 1 0 0 0\nend_repeat\n\
@@ -227,6 +227,16 @@ fn materials_are_shared_across_scopes() {
     let source = FULL.replace("cr 0 1 0", "cr 1 -0 0");
     let parsed = parse(&source, &ParseOptions::default()).unwrap();
     assert_eq!(parsed.description.materials.len(), 2);
+}
+
+#[test]
+fn the_formats_description_has_every_command() {
+    let page = include_str!("../docs/scene-format.md");
+    for command in commands() {
+        let keyword = command.keyword;
+        let alone = format!("`{keyword}`");
+        assert!(page.contains(&alone) || page.contains(&format!("`{keyword} ")), "{alone}");
+    }
 }
 
 /// Parses, and shows what there is to be shown.
