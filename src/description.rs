@@ -9,6 +9,7 @@ use std::ops::Range;
 use glam::{DAffine3, DVec3};
 
 use crate::math::Color;
+use crate::shapes::Single;
 
 /// The bytes of the scene's text that an entity was read from. Empty for entities made by hand.
 pub type Span = Range<usize>;
@@ -65,6 +66,13 @@ pub struct Options {
     pub aa: u32,
     /// What a ray that hits nothing sees.
     pub background: Color,
+}
+
+impl Default for Options {
+    /// The options of a scene file that sets none.
+    fn default() -> Self {
+        Self { max_recursion: 1, aa: 0, background: Color::ZERO }
+    }
 }
 
 impl Options {
@@ -125,7 +133,7 @@ impl MeshReference {
 /// Something that rays can hit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
-    /// Its form, in object space.
+    /// Its shape, in object space.
     pub shape: Shape,
     /// Object space to world space; invertible.
     pub transform: DAffine3,
@@ -138,29 +146,18 @@ pub struct Object {
 impl Object {
     /// An object made by hand, of the first material.
     #[must_use]
-    pub fn new(shape: Shape, transform: DAffine3) -> Self {
-        Self { shape, transform, material: 0, span: 0..0 }
+    pub fn new(shape: impl Into<Shape>, transform: DAffine3) -> Self {
+        Self { shape: shape.into(), transform, material: 0, span: 0..0 }
     }
 }
 
-/// The forms of objects.
-#[derive(Clone, Debug, PartialEq)]
+/// What an object is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
-    /// A ball of positive radius.
-    Ball {
-        /// Its radius.
-        radius: f64,
-        /// Its centre in object space.
-        center: DVec3,
-    },
-    /// The canonical cylinder: radius 1 about the z axis from z = 0 to z = 1, with both caps.
-    Cylinder,
-    /// One triangle. Its corners are in world space: they were transformed as it was read, and the
-    /// object's transform is the identity.
-    Triangle {
-        /// The corners in world space.
-        corners: [DVec3; 3],
-    },
+    /// One primitive. A ball whose transform keeps its form, and every triangle, are in world space,
+    /// and the object's transform is the identity: they were transformed as they were read, in double
+    /// precision (see [`Ball::transformed`](crate::shapes::Ball::transformed)).
+    Single(Single),
     /// A mesh of triangles.
     Mesh {
         /// Index into [`SceneDescription::meshes`].
@@ -168,6 +165,26 @@ pub enum Shape {
         /// How its faces are shaded.
         normals: Normals,
     },
+}
+
+impl Shape {
+    /// What a mesh is called in messages.
+    pub const MESH: &'static str = "mesh";
+
+    /// The noun that messages use for it, after `a`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Single(single) => single.name(),
+            Self::Mesh { .. } => Self::MESH,
+        }
+    }
+}
+
+impl From<Single> for Shape {
+    fn from(single: Single) -> Self {
+        Self::Single(single)
+    }
 }
 
 /// Which normals shade a mesh.

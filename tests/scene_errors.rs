@@ -1,4 +1,4 @@
-//! Every bad scene has its message. A case is a file in `tests/bad_scenes`; its expected text, a
+//! Every bad scene has its messages. A case is a file in `tests/bad_scenes`; its expected text, a
 //! file in `tests/snapshots`, is written by `INSTA_UPDATE=always cargo test --test scene_errors`
 //! and read by a person before it is committed.
 
@@ -7,7 +7,7 @@ use std::path::Path;
 use srt::scene_file::{Diagnostic, ParseOptions, parse, render_diagnostics, summarize};
 
 #[test]
-fn every_bad_scene_is_told_what_is_wrong() {
+fn every_bad_scene_has_its_messages() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_scenes");
     let mut cases: Vec<_> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
     cases.sort();
@@ -22,7 +22,7 @@ fn every_bad_scene_is_told_what_is_wrong() {
 }
 
 #[test]
-fn unknown_commands_are_warnings_where_asked() {
+fn unknown_commands_are_warnings_in_lenient_mode() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_scenes");
     let source = std::fs::read_to_string(folder.join("unknown_command.sce")).unwrap();
     // Its `pushmatrix` is skipped, so its `pop_matrix` has nothing to restore.

@@ -1,4 +1,4 @@
-//! Good scenes mean what they say, and no text whatever stops the parser or its messages.
+//! Good scenes are read as they are meant, and no text whatever makes the parser or its messages panic.
 
 use glam::{DAffine3, DVec3, Vec3};
 use proptest::prelude::*;
@@ -6,9 +6,10 @@ use proptest::prelude::*;
 use srt::description::{
     Camera, Light, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape, Span,
 };
-use srt::scene_file::{Diagnostic, ParseOptions, Severity, parse, render_diagnostics};
+use srt::scene_file::{Diagnostic, ParseOptions, Severity, commands, parse, render_diagnostics};
+use srt::shapes::{Ball, Cylinder, Single, Triangle};
 
-/// Every command, and every liberty of the text.
+/// Every command, and everything that the format allows.
 const FULL: &str = "\u{feff}sce1.0 # a scene with everything\r
 # the camera\r
 \teyepos 9 9 9\r
@@ -68,8 +69,7 @@ fn expected() -> SceneDescription {
         DVec3::new(0.0, 0.0, -1.0),
         DVec3::new(10.0, 0.0, 0.0),
     );
-    let corners =
-        [DVec3::new(10.0, 0.0, 0.0), DVec3::new(10.0, 2.0, 0.0), DVec3::new(9.0, 0.0, 0.0)];
+    let corners = [Vec3::new(10.0, 0.0, 0.0), Vec3::new(10.0, 2.0, 0.0), Vec3::new(9.0, 0.0, 0.0)];
     let object = |shape, transform, material, text: &str| {
         let span = span_of(text);
         Object { shape, transform, material, span }
@@ -101,14 +101,14 @@ fn expected() -> SceneDescription {
         ],
         objects: vec![
             object(
-                Shape::Ball { radius: 0.5, center: DVec3::new(1.0, 2.0, 3.0) },
+                Single::Ball(Ball { radius: 0.5, center: Vec3::new(1.0, 2.0, 3.0) }).into(),
                 DAffine3::IDENTITY,
                 0,
                 "ball 0.5 1 2 3",
             ),
-            object(Shape::Cylinder, turned, 1, "cylinder"),
+            object(Single::Cylinder(Cylinder).into(), turned, 1, "cylinder"),
             object(
-                Shape::Triangle { corners },
+                Single::Triangle(Triangle::new(corners)).into(),
                 DAffine3::IDENTITY,
                 1,
                 "triangle 0 0 0  1 0 0  0 1 0",
@@ -157,8 +157,10 @@ fn round(scene: &mut SceneDescription) {
     for object in &mut scene.objects {
         let columns = object.transform.to_cols_array().map(|x| (x * 1e12).round() * 1e-12);
         object.transform = DAffine3::from_cols_array(&columns);
-        if let Shape::Triangle { corners } = &mut object.shape {
-            corners.iter_mut().for_each(near);
+        if let Shape::Single(Single::Triangle(Triangle { v0, e1, e2 })) = &mut object.shape {
+            for v in [v0, e1, e2] {
+                *v = (*v * 1e6).round() * 1e-6;
+            }
         }
     }
     for light in &mut scene.lights {
@@ -180,7 +182,7 @@ fn objects_of(text: &str) -> Vec<Object> {
 }
 
 #[test]
-fn what_is_repeated_is_what_would_be_written_so_often() {
+fn what_is_repeated_equals_what_is_written_as_often() {
     let repeated = objects_of(
         "repeat 3\n translate 1 0 0\n repeat 2 # twice\n rotate 90 0 0 1\n {\n cr 1 0 0\n \
          scale 2 2 2\n cylinder\n }\n end_repeat\n cr 0 1 0\nball 1 0 0 0\nend_repeat\n\
@@ -202,7 +204,8 @@ fn a_million_objects_take_few_lines() {
          pop_matrix\ntranslate 0 1 0\nend_repeat\n",
     );
     assert_eq!(objects.len(), 1_000_000);
-    assert_eq!(objects[999_999].transform.translation, DVec3::new(1000.0, 999.0, 0.0));
+    let last = Ball { radius: 0.1, center: Vec3::new(1000.0, 999.0, 0.0) };
+    assert_eq!(objects[999_999].shape, Single::Ball(last).into());
 }
 
 #[test]
@@ -224,6 +227,16 @@ fn materials_are_shared_across_scopes() {
     let source = FULL.replace("cr 0 1 0", "cr 1 -0 0");
     let parsed = parse(&source, &ParseOptions::default()).unwrap();
     assert_eq!(parsed.description.materials.len(), 2);
+}
+
+#[test]
+fn the_formats_description_has_every_command() {
+    let page = include_str!("../docs/scene-format.md");
+    for command in commands() {
+        let keyword = command.keyword;
+        let alone = format!("`{keyword}`");
+        assert!(page.contains(&alone) || page.contains(&format!("`{keyword} ")), "{alone}");
+    }
 }
 
 /// Parses, and shows what there is to be shown.

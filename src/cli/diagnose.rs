@@ -10,6 +10,7 @@ use crate::assets::{AssetError, MeshData};
 use crate::description::{Light, Object, SceneDescription, Shape, Span};
 use crate::scene::SceneError;
 use crate::scene_file::{Diagnostic, LineElsewhere};
+use crate::shapes::Single;
 
 /// A mesh that cannot be had, at the place where the scene names it first.
 pub(crate) fn mesh(error: &AssetError, scene: &SceneDescription) -> Diagnostic {
@@ -51,7 +52,8 @@ pub(crate) fn dropped(scene: &SceneDescription, meshes: &[Arc<MeshData>]) -> Vec
 /// sky that is one ball has a light inside.
 pub(crate) fn eye_in_the_dark(scene: &SceneDescription) -> Option<Diagnostic> {
     let around_eye = |object: &&Object| {
-        let Shape::Ball { radius, center } = object.shape else { return false };
+        let Shape::Single(Single::Ball(ball)) = object.shape else { return false };
+        let (center, radius) = (ball.center.as_dvec3(), f64::from(ball.radius));
         if scene.materials[object.material].alpha < 1.0 {
             return false;
         }

@@ -6,6 +6,7 @@ use crate::assets::MeshData;
 use crate::description::{Camera, Light, SceneDescription, Shape};
 use crate::math::Aabb;
 use crate::scene::Scene;
+use crate::shapes::Single;
 
 /// Describes a scene, given as written and as traced.
 pub(crate) fn describe(scene: &SceneDescription, traced: &Scene) -> String {
@@ -40,13 +41,16 @@ fn size(mesh: &MeshData) -> String {
 }
 
 fn objects(scene: &SceneDescription) -> String {
-    let count = |is: fn(&Shape) -> bool| scene.objects.iter().filter(|o| is(&o.shape)).count();
-    enumerate(&[
-        (count(|shape| matches!(shape, Shape::Ball { .. })), "ball"),
-        (count(|shape| matches!(shape, Shape::Cylinder)), "cylinder"),
-        (count(|shape| matches!(shape, Shape::Triangle { .. })), "triangle"),
-        (count(|shape| matches!(shape, Shape::Mesh { .. })), "mesh"),
-    ])
+    let names = Single::NAMES.into_iter().chain([Shape::MESH]);
+    let mut kinds: Vec<(usize, &str)> = names.map(|name| (0, name)).collect();
+    for object in &scene.objects {
+        let name = object.shape.name();
+        match kinds.iter_mut().find(|(_, kind)| *kind == name) {
+            Some((count, _)) => *count += 1,
+            None => kinds.push((1, name)),
+        }
+    }
+    enumerate(&kinds)
 }
 
 fn lights(lights: &[Light]) -> String {
@@ -123,7 +127,7 @@ fn enumerate(kinds: &[(usize, &str)]) -> String {
 
 /// `1 mesh`, `2 meshes`.
 fn counted(n: usize, kind: &str) -> String {
-    let ending = match (n, kind.ends_with('h')) {
+    let ending = match (n, kind.ends_with(['h', 's', 'x'])) {
         (1, _) => "",
         (_, true) => "es",
         (_, false) => "s",
@@ -140,6 +144,7 @@ mod tests {
     use super::*;
     use crate::description::{Material, MeshReference, Normals, Object, Options};
     use crate::math::Color;
+    use crate::shapes::Cylinder;
 
     fn scene(shapes: Vec<Shape>) -> SceneDescription {
         let object = |shape| Object::new(shape, DAffine3::IDENTITY);
@@ -164,7 +169,7 @@ mod tests {
     #[test]
     fn a_scene_in_words() {
         let mesh = || Shape::Mesh { mesh: 0, normals: Normals::Flat };
-        let mut scene = scene(vec![Shape::Cylinder, mesh(), mesh()]);
+        let mut scene = scene(vec![Single::Cylinder(Cylinder).into(), mesh(), mesh()]);
         scene.objects[0].transform = DAffine3::from_scale(DVec3::new(1.5, 2.0, 3e7));
         scene.meshes = vec![MeshReference::new("a.obj")];
         let triangles = vec![[0, 1, 2]; 7];

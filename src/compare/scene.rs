@@ -6,7 +6,7 @@ use crate::accel::{BuildConfig, Tracer};
 use crate::image_io::Picture;
 use crate::record::{Proof, RayClass, SceneRecord, StructureProof};
 use crate::render::Settings;
-use crate::scene::{Form, Object, Scene, Structure, structure_named};
+use crate::scene::{Scene, Structure, structure_named};
 
 use super::budget::Budget;
 use super::entrant::Entrant;
@@ -115,18 +115,11 @@ fn empty(input: &SceneInput) -> SceneOutcome {
         hash: input.hash.clone(),
         objects: input.scene.objects.len() as u64,
         triangles: input.scene.triangle_count(),
-        stored_triangles: stored_triangles(&input.scene),
+        stored_triangles: input.scene.stored_triangle_count(),
         lights: input.scene.lights.len() as u64,
         ..SceneRecord::default()
     };
     SceneOutcome { record, pictures: Vec::new(), notes: Vec::new() }
-}
-
-/// Triangles in memory: those of each mesh once, and single ones.
-fn stored_triangles(scene: &Scene) -> u64 {
-    let in_meshes: u64 = scene.meshes().iter().map(|mesh| mesh.triangles.len() as u64).sum();
-    let single = |object: &&Object| matches!(object.form, Form::Triangle(_));
-    in_meshes + scene.objects.iter().filter(single).count() as u64
 }
 
 impl Work<'_> {

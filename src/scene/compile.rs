@@ -8,9 +8,9 @@ use glam::{DAffine3, DVec3, Vec3};
 use crate::assets::MeshData;
 use crate::description::{self, SceneDescription, Shape};
 use crate::math::{Aabb, NONE, Transform};
-use crate::shapes::{Ball, Cylinder, Triangle};
+use crate::shapes::Triangle;
 
-use super::{Camera, Form, Light, Object, Scene, SceneError, Transforms, range};
+use super::{Camera, Light, Object, Scene, SceneError, Transforms, range};
 
 impl Scene {
     /// Compiles a description with its meshes, which stand in the order of
@@ -133,17 +133,15 @@ fn holds_in_own_space(
     reach: f64,
 ) -> bool {
     transforms.get(object.transform).is_none_or(|transform| {
-        range::holds_in(&transform, &own_bounds(&object.form, mesh_bounds), reach)
+        range::holds_in(&transform, &own_bounds(&object.shape, mesh_bounds), reach)
     })
 }
 
-/// The box of a form in its own space.
-fn own_bounds(form: &Form, mesh_bounds: &[Aabb]) -> Aabb {
-    match form {
-        Form::Ball(ball) => ball.bounds(),
-        Form::Cylinder => Cylinder::bounds(),
-        Form::Triangle(triangle) => triangle.bounds(),
-        Form::Mesh { mesh, .. } => mesh_bounds[*mesh],
+/// The box of a shape in its own space.
+fn own_bounds(shape: &Shape, mesh_bounds: &[Aabb]) -> Aabb {
+    match shape {
+        Shape::Single(single) => single.bounds(),
+        Shape::Mesh { mesh, .. } => mesh_bounds[*mesh],
     }
 }
 
@@ -155,23 +153,17 @@ fn compile_object(
     mesh_bounds: &[Aabb],
     transforms: &mut Transforms,
 ) -> Result<(Object, bool), SceneError> {
-    let (form, matrix) = match object.shape {
-        Shape::Ball { radius, center } => ball_in_world(radius, center, &object.transform),
-        Shape::Cylinder => (Form::Cylinder, object.transform),
-        Shape::Triangle { corners } => {
-            (Form::Triangle(Triangle::new(corners.map(|c| c.as_vec3()))), DAffine3::IDENTITY)
-        }
-        Shape::Mesh { mesh, normals } => (Form::Mesh { mesh, normals }, object.transform),
-    };
-    let transform = (matrix != DAffine3::IDENTITY)
-        .then(|| Transform::new(matrix))
+    let shape = object.shape;
+    let transform = (object.transform != DAffine3::IDENTITY)
+        .then(|| Transform::new(object.transform))
         .transpose()
         .map_err(|source| SceneError::Transform { object: id, source })?;
-    let own = own_bounds(&form, mesh_bounds);
+    let own = own_bounds(&shape, mesh_bounds);
     let bounds = transform.as_ref().map_or(own, |t| t.bounds_to_world(&own));
-    // The box of a small ball far from the origin is larger than the ball: it is rounded outwards.
-    let large_enough =
-        !matches!(form, Form::Ball(ball) if 2.0 * f64::from(ball.radius) < range::SMALLEST);
+    let large_enough = match &shape {
+        Shape::Single(single) if transform.is_none() => single.size() >= range::SMALLEST,
+        _ => true,
+    };
     if !large_enough || !range::holds_for(&bounds) {
         return Err(SceneError::OutOfRange { object: id });
     }
@@ -179,29 +171,7 @@ fn compile_object(
         transform.as_ref().is_none_or(|t| range::holds_in(t, &own, range::LARGEST));
     let transform = transform.map_or(NONE, |transform| transforms.add(&transform));
     let corners = [bounds.min, bounds.max].map(Vec3::from);
-    Ok((Object { form, transform, corners, material: object.material }, holds_anywhere))
-}
-
-/// A ball whose transform keeps its form is traced where it is; any other becomes the unit ball
-/// about the origin, transformed. Which of the two depends on the scene alone, never on the
-/// structure.
-fn ball_in_world(radius: f64, center: DVec3, transform: &DAffine3) -> (Form, DAffine3) {
-    if let Some(scale) = uniform_scale(transform) {
-        let center = transform.transform_point3(center).as_vec3();
-        return (Form::Ball(Ball { center, radius: (radius * scale) as f32 }), DAffine3::IDENTITY);
-    }
-    let own = DAffine3::from_translation(center) * DAffine3::from_scale(DVec3::splat(radius));
-    (Form::Ball(Ball { center: Vec3::ZERO, radius: 1.0 }), *transform * own)
-}
-
-/// The factor by which a transform scales lengths, if it is the same in all directions.
-fn uniform_scale(transform: &DAffine3) -> Option<f64> {
-    let m = transform.matrix3;
-    let gram = m.transpose() * m;
-    let scale_squared = gram.x_axis.x;
-    let difference = gram - glam::DMat3::from_diagonal(DVec3::splat(scale_squared));
-    let largest = difference.abs().to_cols_array().into_iter().fold(0.0, f64::max);
-    (scale_squared > 0.0 && largest <= 1e-12 * scale_squared).then(|| scale_squared.sqrt())
+    Ok((Object { shape, transform, corners, material: object.material }, holds_anywhere))
 }
 
 #[cfg(test)]
@@ -209,7 +179,15 @@ mod tests {
     use super::*;
     use crate::description::{Material, MeshReference, Normals, Options};
     use crate::math::Color;
-    use glam::{DQuat, Vec3A};
+    use crate::shapes::{Ball, Cylinder, Single};
+    use glam::Vec3A;
+
+    const CYLINDER: Shape = Shape::Single(Single::Cylinder(Cylinder));
+
+    fn ball(center: DVec3, radius: f64, transform: DAffine3) -> (Shape, DAffine3) {
+        let (ball, transform) = Ball::transformed(center, radius, &transform);
+        (Single::Ball(ball).into(), transform)
+    }
 
     /// A scene of objects with transforms, and of one mesh with a vertex that no triangle uses.
     fn compiled(objects: Vec<(Shape, DAffine3)>) -> Result<Scene, Vec<SceneError>> {
@@ -262,14 +240,14 @@ mod tests {
 
     #[test]
     fn objects_within_the_range_are_taken() {
-        let ball = || Shape::Ball { radius: 1.0, center: DVec3::ZERO };
+        let unit_ball = |transform| ball(DVec3::ZERO, 1.0, transform);
         for factor in [1e-8, 1e-3, 1.0, 1e6, 9e8] {
-            let shapes = [ball(), Shape::Cylinder, mesh()];
-            compiled(shapes.map(|shape| (shape, scale(factor))).into()).unwrap();
+            let scale = scale(factor);
+            compiled(vec![unit_ball(scale), (CYLINDER, scale), (mesh(), scale)]).unwrap();
         }
         // A disc as flat as can be.
         let flat = DAffine3::from_scale(DVec3::new(1.0, 1.0, 1e-12));
-        compiled(vec![(Shape::Cylinder, flat), (ball(), flat)]).unwrap();
+        compiled(vec![(CYLINDER, flat), unit_ball(flat)]).unwrap();
     }
 
     #[test]
@@ -277,12 +255,12 @@ mod tests {
         let far = DAffine3::from_translation(DVec3::X * 2e9);
         let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
         let objects = vec![
-            (Shape::Cylinder, scale(1e38)),
-            (Shape::Ball { radius: 1e-10, center: DVec3::ONE }, DAffine3::IDENTITY),
+            (CYLINDER, scale(1e38)),
+            ball(DVec3::ONE, 1e-10, DAffine3::IDENTITY),
             (mesh(), far),
-            (Shape::Cylinder, DAffine3::IDENTITY),
-            (Shape::Cylinder, flat),
-            (Shape::Cylinder, DAffine3::from_scale(DVec3::new(1.0, 1.0, 1e-25))),
+            (CYLINDER, DAffine3::IDENTITY),
+            (CYLINDER, flat),
+            (CYLINDER, DAffine3::from_scale(DVec3::new(1.0, 1.0, 1e-25))),
         ];
         let errors = compiled_with(objects, |description| {
             let color = Color::ONE;
@@ -308,33 +286,12 @@ mod tests {
 
     #[test]
     fn of_what_stands_at_one_place_one_error_is_told() {
-        let ball = Shape::Ball { radius: 1.0, center: DVec3::X * 2e9 };
-        let objects = vec![(ball.clone(), DAffine3::IDENTITY), (ball, DAffine3::IDENTITY)];
+        let objects = vec![ball(DVec3::X * 2e9, 1.0, DAffine3::IDENTITY); 2];
         let at_one_place = |description: &mut SceneDescription| {
             description.objects[1].span = description.objects[0].span.clone();
         };
         let errors = compiled_with(objects.clone(), at_one_place).unwrap_err();
         assert_eq!(errors, [SceneError::OutOfRange { object: 0 }]);
         assert_eq!(compiled(objects).unwrap_err().len(), 2);
-    }
-
-    #[test]
-    fn turned_and_evenly_scaled_balls_stay_balls() {
-        let m = DAffine3::from_scale_rotation_translation(
-            DVec3::new(2.0, -2.0, 2.0),
-            DQuat::from_rotation_x(0.4),
-            DVec3::new(1.0, 0.0, 0.0),
-        );
-        let (form, transform) = ball_in_world(0.5, DVec3::ZERO, &m);
-        assert_eq!(form, Form::Ball(Ball { center: Vec3::X, radius: 1.0 }));
-        assert_eq!(transform, DAffine3::IDENTITY);
-    }
-
-    #[test]
-    fn an_ellipsoid_is_the_unit_ball_transformed() {
-        let m = DAffine3::from_scale(DVec3::new(2.0, 1.0, 1.0));
-        let (form, transform) = ball_in_world(3.0, DVec3::new(1.0, 0.0, 0.0), &m);
-        assert_eq!(form, Form::Ball(Ball { center: Vec3::ZERO, radius: 1.0 }));
-        assert_eq!(transform.transform_point3(DVec3::X), DVec3::new(8.0, 0.0, 0.0));
     }
 }

@@ -10,11 +10,12 @@ use glam::Vec3;
 
 use crate::accel::{Answers, BuildStages, Scratch, StructureShape, Tracer};
 use crate::counters::Counts;
+use crate::description::Shape;
 use crate::embree::{Builder, EmbreeError, TriangleScene};
 use crate::math::Ray;
-use crate::shapes::EndPointOverlap;
+use crate::shapes::{EndPointOverlap, Single};
 
-use super::{BuildError, BuildReport, Form, Object, Scene, TracedWorld};
+use super::{BuildError, BuildReport, Object, Scene, TracedWorld};
 
 /// A scene in Embree, traced ray by ray or in `PACKETS`.
 pub(super) struct EmbreeWorld<const PACKETS: bool> {
@@ -49,17 +50,18 @@ fn add(
         Some(transform) => transform.world_from_object.transform_point3(p.as_dvec3()).as_vec3(),
         None => p,
     };
-    Ok(match object.form {
-        Form::Triangle(triangle) => {
+    Ok(match object.shape {
+        Shape::Single(Single::Triangle(triangle)) => {
             let corners = [triangle.v0, triangle.v0 + triangle.e1, triangle.v0 + triangle.e2];
             builder.add(id as u32, corners.into_iter().map(to_world), &[[0, 1, 2]])
         }
-        Form::Mesh { mesh, .. } => {
+        Shape::Mesh { mesh, .. } => {
             let mesh = &scene.meshes()[mesh];
             builder.add(id as u32, mesh.positions.iter().copied().map(to_world), &mesh.triangles)
         }
-        Form::Ball(_) => return Err(BuildError::Unsupported { object: id, form: "a ball" }),
-        Form::Cylinder => return Err(BuildError::Unsupported { object: id, form: "a cylinder" }),
+        Shape::Single(other) => {
+            return Err(BuildError::Unsupported { object: id, shape: other.name() });
+        }
     })
 }
 

@@ -43,13 +43,13 @@ pub enum SceneError {
 /// Why a structure cannot be built over a scene that can be traced.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum BuildError {
-    /// An object is of a form that it does not know.
-    #[error("object {object} is {form}: only triangles and meshes can be traced with it")]
+    /// It does not support the shape of an object.
+    #[error("object {object} is a {shape}: only triangles and meshes can be traced with it")]
     Unsupported {
         /// Index of the object in the scene.
         object: usize,
-        /// What it is, with its article.
-        form: &'static str,
+        /// The name of its shape.
+        shape: &'static str,
     },
     /// The library behind it failed.
     #[error("{text}")]

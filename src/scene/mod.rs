@@ -23,15 +23,16 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::assets::MeshData;
-use crate::description::{Material, Options};
+use crate::description::{Material, Options, Shape};
 use crate::math::{Aabb, Transform};
+use crate::shapes::Single;
 
 pub use crate::shapes::EndPointOverlap;
 
 pub use camera::Camera;
 pub use error::{BuildError, SceneError};
 pub use lights::Light;
-pub use object::{Form, Object};
+pub use object::Object;
 pub use object_list::ObjectList;
 pub use structures::{STRUCTURES, Structure, YARDSTICKS, structure_named};
 pub use surface::Surface;
@@ -78,12 +79,21 @@ impl Scene {
     /// How many triangles there are, a mesh counted for each object that is made of it.
     #[must_use]
     pub fn triangle_count(&self) -> u64 {
-        let of_object = |object: &Object| match object.form {
-            Form::Triangle(_) => 1,
-            Form::Mesh { mesh, .. } => self.meshes[mesh].triangles.len() as u64,
-            Form::Ball(_) | Form::Cylinder => 0,
+        let of_object = |object: &Object| match object.shape {
+            Shape::Single(Single::Triangle(_)) => 1,
+            Shape::Single(_) => 0,
+            Shape::Mesh { mesh, .. } => self.meshes[mesh].triangles.len() as u64,
         };
         self.objects.iter().map(of_object).sum()
+    }
+
+    /// How many triangles are in memory: those of each mesh once, and single ones.
+    #[must_use]
+    pub fn stored_triangle_count(&self) -> u64 {
+        let in_meshes: u64 = self.meshes.iter().map(|mesh| mesh.triangles.len() as u64).sum();
+        let is_triangle =
+            |object: &&Object| matches!(object.shape, Shape::Single(Single::Triangle(_)));
+        in_meshes + self.objects.iter().filter(is_triangle).count() as u64
     }
 
     /// Whether any material lets light through.

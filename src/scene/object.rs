@@ -1,34 +1,15 @@
-//! An object: a form, its place in the world, and its material.
+//! An object: a shape, its place in the world, and its material.
 
 use glam::{Vec3, Vec3A};
 
-use crate::description::Normals;
+use crate::description::Shape;
 use crate::math::{Aabb, NONE};
-use crate::shapes::{Ball, Triangle};
-
-/// The forms of objects as they are traced.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Form {
-    /// A ball.
-    Ball(Ball),
-    /// The canonical cylinder.
-    Cylinder,
-    /// A triangle.
-    Triangle(Triangle),
-    /// A mesh.
-    Mesh {
-        /// Index into the scene's meshes.
-        mesh: usize,
-        /// How its faces are shaded.
-        normals: Normals,
-    },
-}
 
 /// Something that rays hit. Small: there may be millions.
 #[derive(Clone, Debug)]
 pub struct Object {
-    /// Its form in its own space.
-    pub form: Form,
+    /// Its shape in its own space; the index of a mesh is that into the scene's meshes.
+    pub shape: Shape,
     /// Index into the scene's transforms; [`NONE`] if its own space is the world's.
     pub(super) transform: u32,
     /// The corners of [`bounds`](Self::bounds).

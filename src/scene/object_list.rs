@@ -12,11 +12,12 @@ use glam::{Vec3, Vec3A};
 
 use crate::accel::{Accel, Bounded, Indexed, NoPacks, Primitives, Query, Scratch};
 use crate::counters::Counters;
+use crate::description::Shape;
 use crate::math::{Aabb, BoxRay, NONE, Padding, Ray, RayToObject};
 use crate::shapes::{Instance, Single, TriangleSet};
 
 use super::mesh_rays::{test_mesh, test_mesh_many};
-use super::{Form, Object, Scene};
+use super::{Object, Scene};
 
 /// Paddings grow with how much a transform amplifies rounding, up to this: beyond, an object is so
 /// nearly flat that its own hits are noise.
@@ -79,12 +80,9 @@ impl<A: Accel> ObjectList<A> {
     }
 
     fn place(&mut self, id: u32, object: &Object, to_object: Option<RayToObject>) {
-        let mut single = |single| StoredForm::Single(push(&mut self.singles, single));
-        let form = match object.form {
-            Form::Ball(ball) => single(Single::Ball(ball)),
-            Form::Cylinder => single(Single::Cylinder),
-            Form::Triangle(triangle) => single(Single::Triangle(triangle)),
-            Form::Mesh { mesh, .. } => StoredForm::Mesh(mesh as u32),
+        let form = match object.shape {
+            Shape::Single(single) => StoredForm::Single(push(&mut self.singles, single)),
+            Shape::Mesh { mesh, .. } => StoredForm::Mesh(mesh as u32),
         };
         let to_object = to_object.map_or(NONE, |to_object| push(&mut self.to_object, to_object));
         self.objects.push(StoredInstance { corners: object.corners, to_object, form, id });

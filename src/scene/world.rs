@@ -7,10 +7,11 @@ use crate::accel::{
     Accel, Answers, BuildConfig, BuildStages, Indexed, Scratch, StructureShape, Tracer,
 };
 use crate::counters::Counts;
+use crate::description::Shape;
 use crate::math::{NONE, Ray};
 use crate::shapes::{EndPointOverlap, OVERLAP_SAMPLES, TriangleSet, end_point_overlap};
 
-use super::{Form, Object, ObjectList, Scene};
+use super::{Object, ObjectList, Scene};
 
 /// A scene indexed by `O` over its objects and by `T` over the triangles of each mesh.
 #[derive(Clone, Debug)]
@@ -76,7 +77,7 @@ impl<O: Accel, T: Accel> World<O, T> {
         let objects = Indexed::build(ObjectList::new(scene, &meshes), &config);
         stages.add("objects", over_objects.elapsed() - objects.check_time());
         let only_mesh = match scene.objects[..] {
-            [Object { form: Form::Mesh { mesh, .. }, transform: NONE, .. }] => {
+            [Object { shape: Shape::Mesh { mesh, .. }, transform: NONE, .. }] => {
                 Some(Arc::clone(&meshes[mesh]))
             }
             _ => None,

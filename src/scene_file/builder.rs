@@ -1,98 +1,162 @@
-//! The scene as far as it has been read.
+//! The scene as far as it has been read, and what commands can do to it.
 //!
-//! The commands' functions fill it; when the text has ended it is checked as a whole and becomes a
-//! [`SceneDescription`].
+//! When the text has ended it is checked as a whole and becomes a [`SceneDescription`].
 
-use std::collections::{HashMap, HashSet, TryReserveError};
+use std::collections::{HashMap, TryReserveError};
+
+use glam::DAffine3;
 
 use crate::description::{
     Light, Material, MeshReference, Object, Options, SceneDescription, Shape, Span,
 };
+use crate::math::Transform;
 
-use super::camera::{self, CameraDraft};
+use super::camera_draft::CameraDraft;
 use super::diagnostic::{Diagnostic, counted};
-use super::scopes::{self, Scopes};
-use super::state::State;
+use super::precision::holds_transform;
+use super::scopes::Scopes;
 
 /// The scene as far as it has been read.
-pub(super) struct Builder {
-    /// What is wrong so far.
-    pub(super) diagnostics: Vec<Diagnostic>,
-    /// The commands that were read, or that an erroneous line was meant to be.
-    pub(super) seen: HashSet<&'static str>,
-    /// What the text has said of the camera.
-    pub(super) camera: CameraDraft,
-    /// The rendering options.
-    pub(super) options: Options,
-    /// The material and transform in force.
-    pub(super) state: State,
-    /// What is open.
-    pub(super) scopes: Scopes,
-    /// The lights.
-    pub(super) lights: Vec<Light>,
-    /// The first degenerate triangle, and how many there are.
-    pub(super) degenerate: Option<(Span, usize)>,
-    /// Where `end` stands, once it was read.
-    pub(super) end: Option<Span>,
+#[derive(Default)]
+pub(super) struct SceneBuilder {
+    diagnostics: Vec<Diagnostic>,
+    error_count: usize,
+    camera: CameraDraft,
+    options: Options,
+    scopes: Scopes,
     objects: Vec<Object>,
+    lights: Vec<Light>,
     materials: Vec<Material>,
     material_ids: HashMap<[u32; 12], usize>,
     meshes: Vec<MeshReference>,
     mesh_ids: HashMap<String, usize>,
+    /// The first degenerate triangle, and how many there are.
+    degenerate: Option<(Span, usize)>,
 }
 
-impl Builder {
-    pub(super) fn new() -> Self {
-        Self {
-            diagnostics: Vec::new(),
-            seen: HashSet::new(),
-            camera: CameraDraft::default(),
-            options: camera::DEFAULT_OPTIONS,
-            state: State::default(),
-            scopes: Scopes::default(),
-            lights: Vec::new(),
-            degenerate: None,
-            end: None,
-            objects: Vec::new(),
-            materials: Vec::new(),
-            material_ids: HashMap::new(),
-            meshes: Vec::new(),
-            mesh_ids: HashMap::new(),
-        }
-    }
-
+impl SceneBuilder {
     /// Notes what is wrong.
     pub(super) fn report(&mut self, diagnostic: Diagnostic) {
+        self.error_count += usize::from(diagnostic.is_error());
         self.diagnostics.push(diagnostic);
     }
 
-    /// Adds an object with the material in force.
-    pub(super) fn add_object(&mut self, shape: Shape, transform: glam::DAffine3, span: Span) {
+    /// Notes all that is wrong.
+    pub(super) fn report_all(&mut self, diagnostics: impl IntoIterator<Item = Diagnostic>) {
+        diagnostics.into_iter().for_each(|diagnostic| self.report(diagnostic));
+    }
+
+    /// What is wrong with a text that is no scene.
+    pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
+        self.diagnostics
+    }
+
+    /// How many errors there are.
+    pub(super) fn error_count(&self) -> usize {
+        self.error_count
+    }
+
+    /// The camera, to be set.
+    pub(super) fn camera(&mut self) -> &mut CameraDraft {
+        &mut self.camera
+    }
+
+    /// The rendering options, to be set.
+    pub(super) fn options(&mut self) -> &mut Options {
+        &mut self.options
+    }
+
+    /// The material in force, to be changed.
+    pub(super) fn material(&mut self) -> &mut Material {
+        self.scopes.material()
+    }
+
+    /// The transform in force: object space to world space.
+    pub(super) fn transform(&self) -> DAffine3 {
+        self.scopes.transform()
+    }
+
+    /// transform ← transform · `by`, because of a command.
+    pub(super) fn compose(&mut self, by: DAffine3, command: Span) {
+        self.scopes.compose(by, command);
+    }
+
+    /// The transform in force, for the object of a command; reported where it is of no use.
+    pub(super) fn object_transform(&mut self, command: Span) -> Option<DAffine3> {
+        let transform = self.transform();
+        if !holds_transform(&transform) {
+            self.report_transform(command, "is beyond single precision");
+        } else if Transform::new(transform).is_err() {
+            self.report_transform(command, "is singular: it flattens the object");
+        } else {
+            return Some(transform);
+        }
+        None
+    }
+
+    /// Reports what is wrong with the transform at a command; once for each transform.
+    pub(super) fn report_transform(&mut self, command: Span, what: &str) {
+        let diagnostic = self.scopes.unusable_transform(command, what);
+        self.report_all(diagnostic);
+    }
+
+    /// Saves the material and the transform.
+    pub(super) fn open_brace(&mut self, here: Span) {
+        self.scopes.open_brace(here);
+    }
+
+    /// Restores the material and the transform.
+    pub(super) fn close_brace(&mut self, here: &Span) {
+        let wrong = self.scopes.close_brace(here);
+        self.report_all(wrong);
+    }
+
+    /// Saves the transform.
+    pub(super) fn push_matrix(&mut self, here: Span) {
+        self.scopes.push_matrix(here);
+    }
+
+    /// Restores the transform.
+    pub(super) fn pop_matrix(&mut self, here: &Span) {
+        let wrong = self.scopes.pop_matrix(here);
+        self.report_all(wrong);
+    }
+
+    /// Begins an iteration of a `repeat`.
+    pub(super) fn begin_iteration(&mut self, repeat: Span) {
+        self.scopes.begin_iteration(repeat);
+    }
+
+    /// Ends an iteration of a `repeat`.
+    pub(super) fn end_iteration(&mut self, end: &Span) {
+        let wrong = self.scopes.end_iteration(end);
+        self.report_all(wrong);
+    }
+
+    /// Adds the object of a command, with the material in force.
+    pub(super) fn add_object(
+        &mut self,
+        shape: impl Into<Shape>,
+        transform: DAffine3,
+        command: Span,
+    ) {
         let material = self.material_id();
-        self.objects.push(Object { shape, transform, material, span });
+        let shape = shape.into();
+        self.objects.push(Object { shape, transform, material, span: command });
     }
 
-    /// Makes room for objects and lights that are known to come, if there is so much memory.
-    pub(super) fn reserve(&mut self, objects: usize, lights: usize) -> Result<(), TryReserveError> {
-        self.objects.try_reserve(objects)?;
-        self.lights.try_reserve(lights)
+    /// Adds a light.
+    pub(super) fn add_light(&mut self, light: Light) {
+        self.lights.push(light);
     }
 
-    /// How many objects and lights there are.
-    pub(super) fn entity_count(&self) -> usize {
-        self.objects.len() + self.lights.len()
+    /// Notes that the triangle of a command is left out, because its corners lie on a line.
+    pub(super) fn leave_out_degenerate(&mut self, command: Span) {
+        let (_, count) = self.degenerate.get_or_insert((command, 0));
+        *count += 1;
     }
 
-    /// The index of the material in force, new or not.
-    fn material_id(&mut self) -> usize {
-        let material = self.state.material;
-        *self.material_ids.entry(key(&material)).or_insert_with(|| {
-            self.materials.push(material);
-            self.materials.len() - 1
-        })
-    }
-
-    /// The index of a mesh, new or not.
+    /// The index of the mesh of a name, new or not.
     pub(super) fn mesh_id(&mut self, name: &str, span: Span) -> usize {
         if let Some(id) = self.mesh_ids.get(name) {
             return *id;
@@ -102,16 +166,40 @@ impl Builder {
         self.meshes.len() - 1
     }
 
+    /// How many objects and lights there are.
+    pub(super) fn entity_count(&self) -> usize {
+        self.objects.len() + self.lights.len()
+    }
+
+    /// Makes room for objects and lights that are known to come, if there is so much memory.
+    pub(super) fn reserve(&mut self, objects: usize, lights: usize) -> Result<(), TryReserveError> {
+        self.objects.try_reserve(objects)?;
+        self.lights.try_reserve(lights)
+    }
+
+    /// The index of the material in force, new or not.
+    fn material_id(&mut self) -> usize {
+        let material = *self.scopes.material();
+        *self.material_ids.entry(key(&material)).or_insert_with(|| {
+            self.materials.push(material);
+            self.materials.len() - 1
+        })
+    }
+
     /// Checks the scene as a whole. `None` where something is wrong with it.
-    pub(super) fn finish(mut self, end: Span) -> (Option<SceneDescription>, Vec<Diagnostic>) {
-        scopes::report_unclosed(&mut self, &end);
-        camera::report_missing(&mut self, &end);
-        let camera = camera::finish(&mut self);
+    pub(super) fn finish(mut self, end: &Span) -> (Option<SceneDescription>, Vec<Diagnostic>) {
+        let unclosed = self.scopes.unclosed(end);
+        self.report_all(unclosed);
+        let camera = std::mem::take(&mut self.camera).finish();
+        let camera = camera.unwrap_or_else(|wrong| {
+            self.report(wrong);
+            None
+        });
         self.warn_of_degenerate_triangles();
-        if self.diagnostics.iter().any(Diagnostic::is_error) {
+        if self.error_count > 0 {
             return (None, self.diagnostics);
         }
-        self.warn_of_nothing_to_see(&end);
+        self.warn_of_nothing_to_see(end);
         let description = camera.map(|camera| SceneDescription {
             camera,
             options: self.options,

@@ -1,47 +1,24 @@
-//! What a command is: a keyword, the values it takes, and what it does.
+//! A command as data: its keyword, the values it takes, and its help.
 //!
-//! The commands themselves stand in [`table`](super::table).
+//! Does not know what a command does; [`action`](super::action) joins the two.
 
 use std::fmt;
 
-use super::builder::Builder;
-use super::values::Values;
+use super::precision::is_zero;
 
-/// A command of the scene format: one row of [`COMMANDS`](super::COMMANDS).
-#[derive(Clone, Copy)]
-pub struct Command {
+/// A command of the scene format.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneCommand {
     /// The word that begins its line.
     pub keyword: &'static str,
-    /// What it belongs to.
-    pub group: Group,
     /// The values that follow the keyword, all of them required.
     pub values: &'static [Value],
-    /// What it says, in a line.
+    /// Its meaning, in a line.
     pub summary: &'static str,
     /// A line as one would write it.
     pub example: &'static str,
     /// What other programs, or people, call it: for "did you mean".
     pub also_called: &'static [&'static str],
-    pub(super) apply: fn(&mut Builder, &Values<'_>),
-}
-
-/// What a command belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Group {
-    /// How the scene is seen. Every one of these is required.
-    Camera,
-    /// How it is rendered.
-    Options,
-    /// Saves and restores material and transform, or ends the scene.
-    Structure,
-    /// The material in force.
-    Material,
-    /// The transform in force.
-    Transform,
-    /// Something that rays hit.
-    Object,
-    /// Something that gives light.
-    Light,
 }
 
 /// One value of a command.
@@ -50,12 +27,12 @@ pub struct Value {
     /// What usage and messages call it.
     pub name: &'static str,
     /// What it may be.
-    pub kind: Kind,
+    pub kind: ValueKind,
 }
 
 /// What a value may be. All numbers must be finite, in single precision too.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub enum ValueKind {
     /// Any number.
     Number,
     /// A number greater than 0.
@@ -74,7 +51,24 @@ pub enum Kind {
     Name,
 }
 
-impl Command {
+/// A point or a vector.
+pub(super) const XYZ: &[Value] = &[number("x"), number("y"), number("z")];
+
+/// A colour. Any finite number will do: lights may be brighter than 1, and the original accepts
+/// lights that darken.
+pub(super) const RGB: &[Value] = &[number("r"), number("g"), number("b")];
+
+/// A value that may be any number.
+pub(super) const fn number(name: &'static str) -> Value {
+    value(name, ValueKind::Number)
+}
+
+/// A value of a kind.
+pub(super) const fn value(name: &'static str, kind: ValueKind) -> Value {
+    Value { name, kind }
+}
+
+impl SceneCommand {
     /// The keyword and the names of its values: `ball radius x y z`.
     #[must_use]
     pub fn usage(&self) -> String {
@@ -89,30 +83,28 @@ impl Command {
 
     /// Whether one of its values names a file.
     pub(super) fn takes_name(&self) -> bool {
-        self.values.iter().any(|v| v.kind == Kind::Name)
+        self.values.iter().any(|v| v.kind == ValueKind::Name)
     }
 
     /// How it is written, for the help of an error.
     pub(super) fn how_to_write(&self) -> String {
         if self.values.is_empty() {
-            return format!("`{}` stands on a line of its own", self.keyword);
+            return format!("write `{}` on a line of its own", self.keyword);
         }
         format!("write `{}`, for example `{}`", self.usage(), self.example)
     }
 }
 
-impl Kind {
+impl ValueKind {
     /// What is wrong with a finite number as a value of this kind: "must be …".
     pub(super) fn complaint(self, number: f64) -> Option<String> {
-        // What single precision cannot tell from 0 counts as 0.
-        let is_zero = is_nothing(number);
         let right = match self {
             Self::Number | Self::Name => true,
-            Self::Positive => number > 0.0 && !is_zero,
+            Self::Positive => number > 0.0 && !is_zero(number),
             Self::NotNegative => number >= 0.0,
-            Self::ScaleFactor => !is_zero,
+            Self::ScaleFactor => !is_zero(number),
             Self::Share => (0.0..=1.0).contains(&number),
-            Self::FieldOfView => number > 0.0 && !is_zero && number < 180.0,
+            Self::FieldOfView => number > 0.0 && !is_zero(number) && number < 180.0,
             Self::Whole(low, high) => {
                 number.fract() == 0.0 && (f64::from(low)..=f64::from(high)).contains(&number)
             }
@@ -125,7 +117,7 @@ impl Kind {
     }
 }
 
-impl fmt::Display for Kind {
+impl fmt::Display for ValueKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Number => f.write_str("any number"),
@@ -140,25 +132,21 @@ impl fmt::Display for Kind {
     }
 }
 
-/// Whether a number is 0, or so small that single precision has no normal number for it.
-pub(super) fn is_nothing(number: f64) -> bool {
-    number.abs() < f64::from(f32::MIN_POSITIVE)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn kinds_accept_their_bounds_and_nothing_beyond() {
-        let accepts = |kind: Kind, number: f64| kind.complaint(number).is_none();
-        assert!(accepts(Kind::Positive, 1e-30) && !accepts(Kind::Positive, 0.0));
-        assert!(!accepts(Kind::Positive, 1e-60));
-        assert!(accepts(Kind::NotNegative, -0.0) && !accepts(Kind::NotNegative, -1e-9));
-        assert!(accepts(Kind::ScaleFactor, -2.0) && !accepts(Kind::ScaleFactor, 0.0));
-        assert!(accepts(Kind::Share, 1.0) && !accepts(Kind::Share, 1.0001));
-        assert!(accepts(Kind::FieldOfView, 179.9) && !accepts(Kind::FieldOfView, 180.0));
-        assert!(accepts(Kind::Whole(1, 9), 9.0) && !accepts(Kind::Whole(1, 9), 2.5));
-        assert!(!accepts(Kind::Whole(1, 9), 0.0) && !accepts(Kind::Whole(1, 9), 10.0));
+        let accepts = |kind: ValueKind, number: f64| kind.complaint(number).is_none();
+        let whole = ValueKind::Whole(1, 9);
+        assert!(accepts(ValueKind::Positive, 1e-30) && !accepts(ValueKind::Positive, 0.0));
+        assert!(!accepts(ValueKind::Positive, 1e-60));
+        assert!(accepts(ValueKind::NotNegative, -0.0) && !accepts(ValueKind::NotNegative, -1e-9));
+        assert!(accepts(ValueKind::ScaleFactor, -2.0) && !accepts(ValueKind::ScaleFactor, 0.0));
+        assert!(accepts(ValueKind::Share, 1.0) && !accepts(ValueKind::Share, 1.0001));
+        assert!(accepts(ValueKind::FieldOfView, 179.9) && !accepts(ValueKind::FieldOfView, 180.0));
+        assert!(accepts(whole, 9.0) && !accepts(whole, 2.5));
+        assert!(!accepts(whole, 0.0) && !accepts(whole, 10.0));
     }
 }

@@ -28,14 +28,14 @@ pub struct Diagnostic {
     pub help: Option<Box<str>>,
     /// Other places that belong to it, each with a few words: where a brace was opened, say.
     pub related: Vec<(Span, String)>,
-    /// The line of another file that is to blame, where one is. Boxed, since it is rare.
+    /// The line of another file that is wrong, where one is. Boxed, since it is rare.
     pub elsewhere: Option<Box<LineElsewhere>>,
 }
 
 /// A line of a file that the scene names: of a mesh, say.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LineElsewhere {
-    /// The file's name, as it shall be shown.
+    /// The file's name, as it is to be shown.
     pub file: String,
     /// The line's number, from 1.
     pub line: usize,

@@ -1,12 +1,12 @@
 //! A line of a scene → its keyword and its values.
 //!
-//! Knows where words and remarks begin and end, and not what any word means.
+//! Finds where words and comments begin and end; does not know what any word means.
 //!
-//! # Remarks
-//! A remark begins with `#` or `//` and ends with its line. Before and behind numbers it begins
-//! wherever these stand, also within a word, as the course's loader has it: `1.5//e` is the
-//! number 1.5. In a line that names a file it begins only where a word does, since `//` and `#` are
-//! good parts of a path: `meshes//bunny.obj` and `bunny#2.obj` are names.
+//! # Comments
+//! A comment begins with `#` or `//` and ends with its line. Before and behind numbers it begins
+//! wherever these characters are, also within a word, as in the course's loader: `1.5//e` is the
+//! number 1.5. In a line that names a file it begins only where a word does, since `//` and `#` may
+//! be part of a path: `meshes//bunny.obj` and `bunny#2.obj` are names.
 //!
 //! # Names
 //! A name is one word, or anything between double quotes: `"my bunny.obj"`, `"//server/bunny.obj"`.
@@ -14,7 +14,7 @@
 
 use crate::description::Span;
 
-use super::text::Line;
+use super::text::TextLine;
 
 /// A word and where it begins in the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,31 +33,36 @@ impl Word<'_> {
     }
 }
 
-/// The keyword of a line and what follows it; `None` for a line that says nothing.
-pub(super) fn keyword(line: Line<'_>) -> Option<(Word<'_>, Line<'_>)> {
+/// The keyword of a line and what follows it; `None` for a line without a command.
+pub(super) fn keyword(line: TextLine<'_>) -> Option<(Word<'_>, TextLine<'_>)> {
     let line = trim_start(line);
     let length = match line.text.chars().next()? {
-        // Braces stand alone even where something is stuck to them.
+        // A brace is a word by itself even where something follows it without a space.
         '{' | '}' => 1,
-        _ => without_remark(line.text).find(char::is_whitespace).unwrap_or(line.text.len()),
+        _ => without_comment(line.text).find(char::is_whitespace).unwrap_or(line.text.len()),
     };
-    let length = length.min(without_remark(line.text).len());
+    let length = length.min(without_comment(line.text).len());
     let (keyword, rest) = line.text.split_at(length);
-    let rest = Line { text: rest, start: line.start + length };
+    let rest = TextLine { text: rest, start: line.start + length };
     (length > 0).then_some((Word { text: keyword, start: line.start }, rest))
 }
 
-/// The words before a remark, in a line that names no file.
-pub(super) fn values<'s>(rest: Line<'s>) -> Vec<Word<'s>> {
-    split(Line { text: without_remark(rest.text), ..rest }, |text| {
+/// Whether a word is a brace.
+pub(super) fn is_brace(word: &str) -> bool {
+    matches!(word, "{" | "}")
+}
+
+/// The words before a comment, in a line that names no file.
+pub(super) fn values<'s>(rest: TextLine<'s>) -> Vec<Word<'s>> {
+    split(TextLine { text: without_comment(rest.text), ..rest }, |text| {
         text.find(char::is_whitespace).unwrap_or(text.len())
     })
 }
 
-/// The words before a remark, in a line that names a file. Quotes stay on.
-pub(super) fn names<'s>(rest: Line<'s>) -> Vec<Word<'s>> {
+/// The words before a comment, in a line that names a file. Quotes stay on.
+pub(super) fn names<'s>(rest: TextLine<'s>) -> Vec<Word<'s>> {
     split(rest, |text| {
-        if begins_remark(text) {
+        if begins_comment(text) {
             return 0;
         }
         match text.strip_prefix('"') {
@@ -68,7 +73,7 @@ pub(super) fn names<'s>(rest: Line<'s>) -> Vec<Word<'s>> {
 }
 
 /// Cuts words off until the length of the next one is 0.
-fn split<'s>(mut rest: Line<'s>, word_length: impl Fn(&str) -> usize) -> Vec<Word<'s>> {
+fn split<'s>(mut rest: TextLine<'s>, word_length: impl Fn(&str) -> usize) -> Vec<Word<'s>> {
     // Room for the values of a triangle, the most that any command takes.
     let mut words = Vec::with_capacity(9);
     loop {
@@ -79,21 +84,21 @@ fn split<'s>(mut rest: Line<'s>, word_length: impl Fn(&str) -> usize) -> Vec<Wor
         }
         let (text, behind) = rest.text.split_at(length);
         words.push(Word { text, start: rest.start });
-        rest = Line { text: behind, start: rest.start + length };
+        rest = TextLine { text: behind, start: rest.start + length };
     }
 }
 
-fn trim_start(line: Line<'_>) -> Line<'_> {
+fn trim_start(line: TextLine<'_>) -> TextLine<'_> {
     let text = line.text.trim_start();
-    Line { text, start: line.start + line.text.len() - text.len() }
+    TextLine { text, start: line.start + line.text.len() - text.len() }
 }
 
-fn without_remark(text: &str) -> &str {
+fn without_comment(text: &str) -> &str {
     let end = text.find('#').into_iter().chain(text.find("//")).min();
     &text[..end.unwrap_or(text.len())]
 }
 
-fn begins_remark(text: &str) -> bool {
+fn begins_comment(text: &str) -> bool {
     text.starts_with('#') || text.starts_with("//")
 }
 
@@ -101,8 +106,8 @@ fn begins_remark(text: &str) -> bool {
 mod tests {
     use super::*;
 
-    fn line(text: &str) -> Line<'_> {
-        Line { text, start: 100 }
+    fn line(text: &str) -> TextLine<'_> {
+        TextLine { text, start: 100 }
     }
 
     fn texts<'s>(words: &[Word<'s>]) -> Vec<&'s str> {
@@ -121,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn remarks_end_keywords_and_numbers() {
+    fn comments_end_keywords_and_numbers() {
         assert_eq!(keyword(line("end// here")).unwrap().0.text, "end");
         assert_eq!(keyword(line("}#")).unwrap().0.text, "}");
         assert_eq!(keyword(line("{ball")).unwrap().0.text, "{");
@@ -131,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn names_keep_what_looks_like_a_remark_inside_them() {
+    fn names_keep_what_looks_like_a_comment_inside_them() {
         assert_eq!(texts(&names(line(" a//b#c.obj // d"))), ["a//b#c.obj"]);
         assert_eq!(texts(&names(line(" \"a b // c.obj\" # d"))), ["\"a b // c.obj\""]);
         assert_eq!(texts(&names(line(" \"a b "))), ["\"a b"]);

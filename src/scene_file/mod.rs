@@ -1,21 +1,26 @@
-//! The `sce1.0` scene format: text → [`SceneDescription`], or what is wrong with the text, all of it
-//! at once and each with its place.
+//! The `sce1.0` scene format: text → [`SceneDescription`], or everything that is wrong with the text,
+//! each error with its place.
 //!
 //! Touches no files and no terminal: a mesh is a name here, which others resolve, and a diagnostic
 //! is data, which [`render_diagnostics`] turns into text.
 //!
-//! # The format
-//! The first line starts with `sce1.0`. Then one command a line: a keyword and its values, parted
-//! by white space; [`COMMANDS`] is the list of them. `#` and `//` begin remarks, `end` or the end of
-//! the text ends the scene; what follows `end` is passed over with a warning. Where the format
-//! leaves a choice, this is what is read here:
+//! Files import only files after them in this list: `parser` (line after line), `header` and
+//! `suggest`, `commands` (the table), `repeat`, `action` (a row of the table), `builder` (the scene
+//! so far), `scopes` and `camera_draft` (parts of it), `values` (of a command), `command`, `lexer`,
+//! `diagnostic`, `precision`, `text`. `render` needs only the last ones.
 //!
-//! * A byte order mark, white space before keywords and any kind of line end are let pass.
-//! * A remark may follow a number without a space (`1.5//e`). In a line that names a file it must
-//!   begin a word, since `meshes//bunny.obj` and `bunny#2.obj` are names. A name with spaces stands
+//! # The format
+//! The first line starts with `sce1.0`. Then one command a line: a keyword and its values, separated
+//! by white space; [`commands`] lists them. `#` and `//` begin comments, `end` or the end of the text
+//! ends the scene; what follows `end` is ignored with a warning. Where the format leaves a choice,
+//! it is read as follows:
+//!
+//! * A byte order mark, white space before keywords and any kind of line end are allowed.
+//! * A comment may follow a number without a space (`1.5//e`). In a line that names a file it must
+//!   begin a word, since `meshes//bunny.obj` and `bunny#2.obj` are names. A name with spaces is put
 //!   between double quotes.
-//! * All camera commands are required. Without the options' commands, view rays may take one mirror
-//!   bounce, one ray goes through each pixel's centre, and the background is black.
+//! * All camera commands are required. By default, view rays may take one mirror bounce, one ray goes
+//!   through each pixel's centre, and the background is black.
 //! * `nx` and `ny` go from 1 to 65535, `max_recursion` from 0 to 1000, `aasample` from 0 to 256;
 //!   whole numbers may be written `4.0`.
 //! * Numbers must be finite in single precision; what is smaller than its smallest normal number
@@ -35,39 +40,33 @@
 //! assert!(text.contains("example.sce:3:1"));
 //! ```
 
+mod action;
 mod builder;
-mod camera;
+mod camera_draft;
 mod command;
+mod commands;
 mod diagnostic;
-mod entities;
 mod header;
 mod lexer;
 mod parser;
+mod precision;
 mod render;
 mod repeat;
 mod scopes;
-mod state;
 mod suggest;
-mod table;
 mod text;
 mod values;
 
-pub use command::{Command, Group, Kind, Value};
+pub use command::{SceneCommand, Value, ValueKind};
+pub use commands::commands;
 pub use diagnostic::{Diagnostic, LineElsewhere, Severity};
+pub use parser::ParseOptions;
 pub use render::{MOST_RENDERED, render_diagnostics, summarize};
-pub use table::COMMANDS;
 pub use text::line_column;
 
 use crate::description::SceneDescription;
 
-/// How strictly a scene is read.
-#[derive(Clone, Debug, Default)]
-pub struct ParseOptions {
-    /// Unknown commands are skipped with a warning, as the course's loader did, and are no errors.
-    pub lenient: bool,
-}
-
-/// A scene, and what its author should know of it.
+/// A scene, and the warnings about it.
 #[derive(Clone, Debug)]
 pub struct Parsed {
     /// The scene.
@@ -82,7 +81,7 @@ pub struct Parsed {
 /// Everything that is wrong with it, errors and warnings, in the order of the text.
 pub fn parse(source: &str, options: &ParseOptions) -> Result<Parsed, Vec<Diagnostic>> {
     let (description, mut diagnostics) = parser::read(source, options);
-    // Stable: what is said of one place stays in the order in which it was found.
+    // Stable: diagnostics of one place stay in the order in which they were found.
     diagnostics.sort_by_key(|d| d.span.start);
     match description {
         Some(description) => Ok(Parsed { description, warnings: diagnostics }),

@@ -1,106 +1,113 @@
-//! Line after line: finds each line's command, reads its values, lets it act.
+//! Line after line: finds each line's command, reads its values, and carries it out.
 //!
-//! An error in one line is the error of that line alone. What the line was probably meant to do to
-//! the structure of the scene is done all the same, so that its absence is not reported as well.
+//! An error in one line is the error of that line alone. What the line was probably meant to open or
+//! close is opened or closed all the same, so that its absence is not reported as well.
+
+use std::collections::HashSet;
 
 use crate::description::{SceneDescription, Span};
 
-use super::builder::Builder;
-use super::command::Command;
+use super::action::{Action, Row};
+use super::builder::SceneBuilder;
+use super::commands;
 use super::diagnostic::{Diagnostic, quoted};
-use super::header::{self, Verdict};
+use super::header::{self, FirstLine};
 use super::lexer::{self, Word};
-use super::repeat::Recorder;
+use super::repeat::OpenRepeats;
 use super::suggest::{did_you_mean, list_of_commands};
-use super::text::{Line, lines};
-use super::values;
-use super::{ParseOptions, table};
+use super::text::{TextLine, lines};
+use super::values::{self, Values};
+
+/// How strictly a scene is read.
+#[derive(Clone, Debug, Default)]
+pub struct ParseOptions {
+    /// Unknown commands are skipped with a warning, as in the course's loader, and are no errors.
+    pub lenient: bool,
+}
 
 /// Reads a whole scene. What is wrong comes in no particular order.
 pub(super) fn read(
     source: &str,
     options: &ParseOptions,
 ) -> (Option<SceneDescription>, Vec<Diagnostic>) {
-    let mut parser = Parser {
-        builder: Builder::new(),
-        recorder: Recorder::default(),
-        lenient: options.lenient,
-        commands_listed: false,
-    };
+    let mut parser = Parser { lenient: options.lenient, ..Parser::default() };
     let header = header::check(source);
-    parser.builder.diagnostics.extend(header.diagnostic);
-    if header.verdict == Verdict::NoScene {
-        return (None, parser.builder.diagnostics);
+    parser.scene.report_all(header.diagnostic);
+    if header.first_line == FirstLine::NoScene {
+        return (None, parser.scene.into_diagnostics());
     }
-    let mut lines = lines(source).skip(usize::from(header.verdict != Verdict::Missing));
+    let is_missing = header.first_line == FirstLine::Missing;
+    let mut lines = lines(source).skip(usize::from(!is_missing));
     for line in &mut lines {
         // A first line that stands elsewhere was reported already.
-        if header.verdict == Verdict::Missing && header::begins_scene(line) {
+        if is_missing && header::begins_scene(line) {
             continue;
         }
         parser.line(line);
-        if parser.builder.end.is_some() {
+        if parser.end.is_some() {
             break;
         }
     }
     if let Some((first, _)) = lines.find_map(lexer::keyword) {
         let warning = Diagnostic::warning(first.span(), "what follows `end` is not read")
             .with_label("the first line of it");
-        parser.builder.report(warning);
+        parser.scene.report(warning);
     }
-    let end = parser.builder.end.take().unwrap_or_else(|| end_of(source));
-    parser.recorder.report_unclosed(&mut parser.builder, &end);
-    parser.builder.finish(end)
+    parser.finish(source)
 }
 
-/// Where a scene without `end` ends: behind its last word.
-fn end_of(source: &str) -> Span {
-    let end = source.trim_end().len();
-    end..end
-}
-
+#[derive(Default)]
 struct Parser<'s> {
-    builder: Builder,
-    recorder: Recorder<'s>,
+    scene: SceneBuilder,
+    repeats: OpenRepeats<'s>,
+    /// The commands that were read, or that an erroneous line was meant to be.
+    written: HashSet<&'static str>,
+    /// Where `end` stands, once it was read.
+    end: Option<Span>,
     lenient: bool,
     /// The list of all commands is help for one error; it would be noise in every one.
     commands_listed: bool,
 }
 
 impl<'s> Parser<'s> {
-    fn line(&mut self, line: Line<'s>) {
+    fn line(&mut self, line: TextLine<'s>) {
         let Some((keyword, rest)) = lexer::keyword(line) else { return };
-        match table::find(keyword.text) {
-            Some(command) => self.command(command, keyword, rest),
+        match commands::find(keyword.text) {
+            Some(row) => self.command(row, keyword, rest),
             None => self.unknown(keyword),
         }
     }
 
-    fn command(&mut self, command: &'static Command, keyword: Word<'s>, rest: Line<'s>) {
-        self.builder.seen.insert(command.keyword);
+    fn command(&mut self, row: &'static Row, keyword: Word<'s>, rest: TextLine<'s>) {
+        let command = &row.command;
+        self.written.insert(command.keyword);
         let words = if command.takes_name() { lexer::names(rest) } else { lexer::values(rest) };
-        match values::read(command, keyword, &words) {
-            Ok(values) => self.recorder.act(&mut self.builder, command, values),
+        match values::read(command, keyword, &words, commands::is_keyword) {
+            Ok(values) => self.carry_out(row.action, values),
             Err(wrong) => {
-                self.builder.diagnostics.extend(wrong);
-                self.recover(command, keyword, &words);
+                self.scene.report_all(wrong);
+                self.open_or_close(row, keyword);
+                self.braces_among(words.get(command.values.len()..).unwrap_or_default());
             }
         }
     }
 
-    /// Opens and closes what an erroneous line opens and closes.
-    fn recover(&mut self, command: &'static Command, keyword: Word<'s>, words: &[Word<'s>]) {
-        self.open_or_close(command, keyword);
-        for word in words.iter().skip(command.values.len()) {
-            if let Some(brace) = table::find(word.text).filter(|c| matches!(c.keyword, "{" | "}")) {
-                self.act_without_values(brace, *word);
+    /// Carries a command out, or keeps it for the `repeat` around it.
+    fn carry_out(&mut self, action: Action, values: Values<'s>) {
+        match action {
+            Action::Scene(action) => self.repeats.act(&mut self.scene, action, values),
+            Action::Repeat => self.repeats.begin(values.span(), values.whole(0)),
+            Action::EndRepeat => self.repeats.end(&mut self.scene, values.keyword()),
+            Action::End => {
+                self.repeats.report_unclosed(&mut self.scene, &values.keyword());
+                self.end = Some(values.keyword());
             }
         }
     }
 
     fn unknown(&mut self, keyword: Word<'s>) {
         let meant = did_you_mean(keyword.text);
-        let question = meant.map(|c| format!(", did you mean `{}`?", c.keyword));
+        let question = meant.map(|row| format!(", did you mean `{}`?", row.command.keyword));
         let message =
             format!("unknown command {}{}", quoted(keyword.text), question.unwrap_or_default());
         let mut diagnostic = if self.lenient {
@@ -108,31 +115,48 @@ impl<'s> Parser<'s> {
         } else {
             Diagnostic::error(keyword.span(), message).with_label("no command has this name")
         };
-        if let Some(command) = meant {
+        if let Some(Row { command, .. }) = meant {
             diagnostic =
                 diagnostic.with_help(format!("`{}`: {}", command.usage(), command.summary));
         } else if !std::mem::replace(&mut self.commands_listed, true) {
             diagnostic = diagnostic.with_help(list_of_commands());
         }
-        self.builder.report(diagnostic);
-        if let Some(command) = meant.filter(|_| !self.lenient) {
-            self.builder.seen.insert(command.keyword);
-            self.open_or_close(command, keyword);
+        self.scene.report(diagnostic);
+        if let Some(row) = meant.filter(|_| !self.lenient) {
+            self.written.insert(row.command.keyword);
+            self.open_or_close(row, keyword);
         }
     }
 
-    /// Acts as a command that may open or close something, though its line is wrong.
-    fn open_or_close(&mut self, command: &'static Command, keyword: Word<'s>) {
-        if command.keyword == "repeat" {
-            self.recorder.begin(keyword.span(), 1);
-        } else if command.values.is_empty() {
-            self.act_without_values(command, keyword);
+    /// Opens or closes what a command opens or closes whose line is wrong.
+    fn open_or_close(&mut self, row: &'static Row, keyword: Word<'s>) {
+        if matches!(row.action, Action::Repeat) {
+            self.repeats.begin(keyword.span(), 1);
+        } else if let Ok(values) = values::read(&row.command, keyword, &[], commands::is_keyword) {
+            self.carry_out(row.action, values);
         }
     }
 
-    fn act_without_values(&mut self, command: &'static Command, word: Word<'s>) {
-        if let Ok(values) = values::read(command, word, &[]) {
-            self.recorder.act(&mut self.builder, command, values);
+    /// Opens and closes what the braces open and close that stand where values are too many.
+    fn braces_among(&mut self, words: &[Word<'s>]) {
+        for word in words.iter().filter(|word| lexer::is_brace(word.text)) {
+            if let Some(row) = commands::find(word.text) {
+                self.open_or_close(row, *word);
+            }
         }
     }
+
+    /// Checks the scene as a whole.
+    fn finish(mut self, source: &str) -> (Option<SceneDescription>, Vec<Diagnostic>) {
+        let end = self.end.unwrap_or_else(|| end_of(source));
+        self.repeats.report_unclosed(&mut self.scene, &end);
+        self.scene.report_all(commands::camera::missing(&self.written, &end));
+        self.scene.finish(&end)
+    }
+}
+
+/// Where a scene without `end` ends: behind its last word.
+fn end_of(source: &str) -> Span {
+    let end = source.trim_end().len();
+    end..end
 }

@@ -1,47 +1,37 @@
-//! What an unknown command was meant to be.
+//! Suggestions for an unknown command.
 
-use super::command::{Command, Group};
-use super::table::COMMANDS;
+use super::action::Row;
+use super::command::SceneCommand;
+use super::commands::{GROUPS, rows};
 
 /// The command that an unknown word was probably meant to be.
 ///
 /// Another name for it counts first, then the spelling: one slip in three letters, swapped
 /// neighbours being one.
-pub(super) fn did_you_mean(word: &str) -> Option<&'static Command> {
+pub(super) fn did_you_mean(word: &str) -> Option<&'static Row> {
     // What is much longer than any keyword resembles none, and would take long to compare.
     if word.len() > 40 {
         return None;
     }
     let word = word.to_lowercase();
-    let is_other_name = |c: &&Command| c.keyword == word || c.also_called.contains(&word.as_str());
-    COMMANDS.iter().find(is_other_name).or_else(|| {
-        let distance = |c: &Command| strsim::damerau_levenshtein(&word, c.keyword);
+    let is_called = |c: &SceneCommand| c.keyword == word || c.also_called.contains(&word.as_str());
+    rows().find(|row| is_called(&row.command)).or_else(|| {
+        let distance = |keyword: &str| strsim::damerau_levenshtein(&word, keyword);
         let slips = (word.chars().count() / 3).max(1);
-        COMMANDS
-            .iter()
-            .filter(|c| c.keyword.len() > 1)
-            .map(|c| (distance(c), c))
-            .filter(|(distance, c)| *distance <= slips && *distance < c.keyword.len())
-            .min_by_key(|(distance, _)| *distance)
-            .map(|(_, command)| command)
+        rows()
+            .filter(|row| row.command.keyword.len() > 1)
+            .map(|row| (distance(row.command.keyword), row))
+            .filter(|(slipped, row)| *slipped <= slips && *slipped < row.command.keyword.len())
+            .min_by_key(|(slipped, _)| *slipped)
+            .map(|(_, row)| row)
     })
 }
 
 /// All commands, a line for each group.
 pub(super) fn list_of_commands() -> String {
-    let groups = [
-        (Group::Camera, "camera"),
-        (Group::Options, "options"),
-        (Group::Structure, "structure"),
-        (Group::Material, "material"),
-        (Group::Transform, "transform"),
-        (Group::Object, "objects"),
-        (Group::Light, "lights"),
-    ];
-    let lines = groups.map(|(group, name)| {
-        let keywords: Vec<_> =
-            COMMANDS.iter().filter(|c| c.group == group).map(|c| c.keyword).collect();
-        format!("    {:<11}{}", format!("{name}:"), keywords.join(" "))
+    let lines = GROUPS.map(|group| {
+        let keywords: Vec<_> = group.rows.iter().map(|row| row.command.keyword).collect();
+        format!("    {:<11}{}", format!("{}:", group.name), keywords.join(" "))
     });
     format!("the commands are\n{}", lines.join("\n"))
 }
@@ -52,7 +42,7 @@ mod tests {
 
     #[test]
     fn slips_other_names_and_capitals_are_understood() {
-        let meant = |word| did_you_mean(word).map(|c| c.keyword);
+        let meant = |word| did_you_mean(word).map(|row| row.command.keyword);
         assert_eq!(meant("balll"), Some("ball"));
         assert_eq!(meant("blal"), Some("ball"));
         assert_eq!(meant("Ball"), Some("ball"));

@@ -1,21 +1,21 @@
 //! Lines and columns of a text.
 //!
-//! A line ends with `\n`, `\r\n` or a lone `\r`, as editors have it, so that the line numbers of an
+//! A line ends with `\n`, `\r\n` or `\r` alone, as editors have it, so that the line numbers of an
 //! error are those that the author sees.
 
 /// A line without its end, and where it begins in the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Line<'s> {
+pub(super) struct TextLine<'s> {
     pub(super) text: &'s str,
     pub(super) start: usize,
 }
 
 /// The lines of a text, in order. A text that ends with a line end has no empty line behind it.
-pub(super) fn lines(source: &str) -> impl Iterator<Item = Line<'_>> {
+pub(super) fn lines(source: &str) -> impl Iterator<Item = TextLine<'_>> {
     let mut start = 0;
     std::iter::from_fn(move || {
         let rest = source.get(start..).filter(|rest| !rest.is_empty())?;
-        let line = Line { text: &rest[..line_length(rest)], start };
+        let line = TextLine { text: &rest[..line_length(rest)], start };
         start += line.text.len() + line_end_length(&rest[line.text.len()..]);
         Some(line)
     })
@@ -47,8 +47,8 @@ pub fn line_column(source: &str, offset: usize) -> (usize, usize) {
 }
 
 /// The number of the line that an offset lies in (its end included), and the line.
-pub(super) fn line_around(source: &str, offset: usize) -> (usize, Line<'_>) {
-    let mut found = (1, Line { text: "", start: 0 });
+pub(super) fn line_around(source: &str, offset: usize) -> (usize, TextLine<'_>) {
+    let mut found = (1, TextLine { text: "", start: 0 });
     for (index, line) in lines(source).enumerate() {
         if line.start > offset {
             return found;
@@ -57,12 +57,12 @@ pub(super) fn line_around(source: &str, offset: usize) -> (usize, Line<'_>) {
     }
     // Behind a last line end stands one more line, empty, as in an editor.
     if offset >= source.len() && source.ends_with(['\n', '\r']) {
-        found = (found.0 + 1, Line { text: "", start: source.len() });
+        found = (found.0 + 1, TextLine { text: "", start: source.len() });
     }
     found
 }
 
-/// The greatest character boundary of a text that is not beyond an offset.
+/// The last character boundary of a text at or before an offset.
 pub(super) fn floor_boundary(text: &str, offset: usize) -> usize {
     let mut at = offset.min(text.len());
     while !text.is_char_boundary(at) {

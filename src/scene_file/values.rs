@@ -1,34 +1,50 @@
 //! The words behind a keyword → values of the kinds that its command takes.
 //!
 //! Checks each value by itself: how many there are, whether they are numbers, and within their
-//! bounds. Whether they make sense together is for the command's own function.
+//! bounds. Whether they make sense together is for the command's action to check.
 
 use glam::DVec3;
 
 use crate::description::Span;
 use crate::math::Color;
 
-use super::command::{Command, Kind, Value};
+use super::command::{SceneCommand, Value, ValueKind};
 use super::diagnostic::{Diagnostic, counted, quoted};
 use super::lexer::Word;
-use super::table;
+use super::precision::{is_zero, is_zero_vector};
 
-/// A command's values, as many and of such kinds as its row in the table says.
+/// A command's values, as many and of such kinds as the command takes.
 #[derive(Debug)]
 pub(super) struct Values<'s> {
-    /// From the keyword to the last value.
-    pub(super) span: Span,
-    /// Where the keyword stands.
-    pub(super) keyword: Span,
-    /// Where each value stands.
-    pub(super) spans: Vec<Span>,
+    keyword: Span,
+    spans: Vec<Span>,
     numbers: Vec<f64>,
-    /// The file's name, for a command that takes one.
-    pub(super) name: &'s str,
+    name: &'s str,
 }
 
 impl Values<'_> {
-    /// The number at an index among the numbers; one beyond those of the table is a slip there.
+    /// From the keyword to the last value.
+    pub(super) fn span(&self) -> Span {
+        self.keyword.start..self.spans.last().unwrap_or(&self.keyword).end
+    }
+
+    /// The span of the keyword.
+    pub(super) fn keyword(&self) -> Span {
+        self.keyword.clone()
+    }
+
+    /// From one value to a later one.
+    pub(super) fn span_of(&self, first: usize, last: usize) -> Span {
+        self.spans[first].start..self.spans[last].end
+    }
+
+    /// The file's name, for a command that takes one.
+    pub(super) fn name(&self) -> &str {
+        self.name
+    }
+
+    /// The number at an index among the numbers; an index beyond those of the command is a slip in
+    /// its action.
     pub(super) fn number(&self, index: usize) -> f64 {
         self.numbers[index]
     }
@@ -38,7 +54,7 @@ impl Values<'_> {
         self.numbers[index] as f32
     }
 
-    /// The whole number at an index, whose bounds the table has checked.
+    /// The whole number at an index, whose bounds were checked.
     pub(super) fn whole(&self, index: usize) -> u32 {
         self.numbers[index] as u32
     }
@@ -53,32 +69,33 @@ impl Values<'_> {
         self.vector(index).as_vec3()
     }
 
-    /// From one value to a later one.
-    pub(super) fn span_of(&self, first: usize, last: usize) -> Span {
-        self.spans[first].start..self.spans[last].end
+    /// Three numbers from an index on, if they are a vector with a direction.
+    pub(super) fn nonzero_vector(&self, index: usize) -> Option<DVec3> {
+        Some(self.vector(index)).filter(|vector| !is_zero_vector(*vector))
     }
 }
 
-/// Reads the values of a command.
+/// Reads the values of a command. `is_keyword` recognizes the commands of the format, for the help
+/// where there are too many words.
 ///
 /// # Errors
 /// All that is wrong with them, unless their number is; then that alone.
 pub(super) fn read<'s>(
-    command: &Command,
+    command: &SceneCommand,
     keyword: Word<'s>,
     words: &[Word<'s>],
+    is_keyword: impl Fn(&str) -> bool,
 ) -> Result<Values<'s>, Vec<Diagnostic>> {
-    check_count(command, keyword, words).map_err(|wrong| vec![wrong])?;
+    check_count(command, keyword, words, is_keyword).map_err(|wrong| vec![wrong])?;
     let mut wrong = Vec::new();
     let mut values = Values {
-        span: keyword.start..words.last().unwrap_or(&keyword).end(),
         keyword: keyword.span(),
         spans: words.iter().map(Word::span).collect(),
         numbers: Vec::with_capacity(words.len()),
         name: "",
     };
     for (value, word) in command.values.iter().zip(words) {
-        if value.kind == Kind::Name {
+        if value.kind == ValueKind::Name {
             name(*word).map_or_else(|e| wrong.push(e), |name| values.name = name);
         } else {
             number(command, value, *word)
@@ -88,19 +105,24 @@ pub(super) fn read<'s>(
     if wrong.is_empty() { Ok(values) } else { Err(wrong) }
 }
 
-fn check_count(command: &Command, keyword: Word<'_>, words: &[Word<'_>]) -> Result<(), Diagnostic> {
+fn check_count(
+    command: &SceneCommand,
+    keyword: Word<'_>,
+    words: &[Word<'_>],
+    is_keyword: impl Fn(&str) -> bool,
+) -> Result<(), Diagnostic> {
     let takes = command.values.len();
     if words.len() < takes {
         Err(too_few(command, keyword, words))
     } else if words.len() > takes {
-        Err(surplus(command, words))
+        Err(surplus(command, words, is_keyword))
     } else {
         Ok(())
     }
 }
 
 /// `ball` takes 4 values (radius x y z), found 3.
-fn count_message(command: &Command, found: usize) -> String {
+fn count_message(command: &SceneCommand, found: usize) -> String {
     let takes = match command.values.len() {
         0 => "no values".to_owned(),
         n => format!("{} ({})", counted(n, "value"), command.value_names()),
@@ -108,7 +130,7 @@ fn count_message(command: &Command, found: usize) -> String {
     format!("`{}` takes {takes}, found {found}", command.keyword)
 }
 
-fn too_few(command: &Command, keyword: Word<'_>, words: &[Word<'_>]) -> Diagnostic {
+fn too_few(command: &SceneCommand, keyword: Word<'_>, words: &[Word<'_>]) -> Diagnostic {
     let end = words.last().unwrap_or(&keyword).end();
     let missing: Vec<_> =
         command.values[words.len()..].iter().map(|v| format!("`{}`", v.name)).collect();
@@ -122,16 +144,20 @@ fn too_few(command: &Command, keyword: Word<'_>, words: &[Word<'_>]) -> Diagnost
         .with_help(command.how_to_write())
 }
 
-fn surplus(command: &Command, words: &[Word<'_>]) -> Diagnostic {
+fn surplus(
+    command: &SceneCommand,
+    words: &[Word<'_>],
+    is_keyword: impl Fn(&str) -> bool,
+) -> Diagnostic {
     let too_many = &words[command.values.len()..];
     let span = too_many[0].start..too_many[too_many.len() - 1].end();
-    let begins_command = too_many.iter().any(|word| table::find(word.text).is_some());
+    let begins_command = too_many.iter().any(|word| is_keyword(word.text));
     let help = if begins_command {
-        "every command begins a line of its own; remarks begin with `#` or `//`".to_owned()
+        "every command begins a line of its own; comments begin with `#` or `//`".to_owned()
     } else if command.takes_name() {
         "put a name that contains spaces between double quotes: `\"my mesh.obj\"`".to_owned()
     } else {
-        format!("{}; remarks begin with `#` or `//`", command.how_to_write())
+        format!("{}; comments begin with `#` or `//`", command.how_to_write())
     };
     Diagnostic::error(span, count_message(command, words.len()))
         .with_label(format!("{} too many", counted(too_many.len(), "value")))
@@ -139,8 +165,8 @@ fn surplus(command: &Command, words: &[Word<'_>]) -> Diagnostic {
 }
 
 /// A finite number that the command takes here.
-fn number(command: &Command, value: &Value, word: Word<'_>) -> Result<f64, Diagnostic> {
-    // Put together only where something is wrong: scenes of millions of triangles come by here.
+fn number(command: &SceneCommand, value: &Value, word: Word<'_>) -> Result<f64, Diagnostic> {
+    // Formatted only where something is wrong: this runs for every number of a scene.
     let what = || format!("`{}` of `{}`", value.name, command.keyword);
     let Ok(number) = word.text.parse::<f64>() else {
         return Err(not_a_number(command, value, word).with_help(number_help(command, word)));
@@ -165,11 +191,11 @@ fn number(command: &Command, value: &Value, word: Word<'_>) -> Result<f64, Diagn
     }
 }
 
-fn not_a_number(command: &Command, value: &Value, word: Word<'_>) -> Diagnostic {
+fn not_a_number(command: &SceneCommand, value: &Value, word: Word<'_>) -> Diagnostic {
     let message = format!("{} is not a number", quoted(word.text));
     let right = match value.kind {
-        Kind::Number => "a number".to_owned(),
-        Kind::Whole(..) => value.kind.to_string(),
+        ValueKind::Number => "a number".to_owned(),
+        ValueKind::Whole(..) => value.kind.to_string(),
         kind => format!("a number {kind}"),
     };
     let what = format!("`{}` of `{}` must be {right}", value.name, command.keyword);
@@ -177,9 +203,9 @@ fn not_a_number(command: &Command, value: &Value, word: Word<'_>) -> Diagnostic 
 }
 
 /// What would be right in place of something that is not a number.
-fn number_help(command: &Command, word: Word<'_>) -> String {
+fn number_help(command: &SceneCommand, word: Word<'_>) -> String {
     if word.text.ends_with(',') {
-        "values are parted by spaces alone, without commas".to_owned()
+        "values are separated by spaces alone, without commas".to_owned()
     } else if word.text.replacen(',', ".", 1).parse::<f64>().is_ok() {
         "write a decimal point, not a comma".to_owned()
     } else {
@@ -188,7 +214,7 @@ fn number_help(command: &Command, word: Word<'_>) -> String {
 }
 
 fn out_of_bounds(number: f64) -> String {
-    if number != 0.0 && number.abs() < f64::from(f32::MIN_POSITIVE) {
+    if number != 0.0 && is_zero(number) {
         format!("smaller than {:e} counts as 0", f32::MIN_POSITIVE)
     } else {
         format!("this is {number}")
@@ -213,10 +239,17 @@ fn name<'s>(word: Word<'s>) -> Result<&'s str, Diagnostic> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene_file::command::XYZ;
 
     fn read_number(text: &str) -> Result<f64, String> {
-        let command = table::find("translate").unwrap();
-        number(command, &command.values[0], Word { text, start: 0 }).map_err(|e| e.message)
+        let command = SceneCommand {
+            keyword: "move",
+            values: XYZ,
+            summary: "",
+            example: "move 1 0 0",
+            also_called: &[],
+        };
+        number(&command, &command.values[0], Word { text, start: 0 }).map_err(|e| e.message)
     }
 
     #[test]

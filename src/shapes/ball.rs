@@ -1,10 +1,13 @@
 //! The ball.
 
-use glam::Vec3;
+use glam::{DAffine3, DMat3, DVec3, Vec3};
 
-use crate::math::{Aabb, Lanes, Lanes3, Ray, UNIT_ROUNDOFF, dot, outward_box, sub};
+use crate::math::{Aabb, Hit, Lanes, Lanes3, Mask as _, Ray, UNIT_ROUNDOFF, dot, outward_box, sub};
+use crate::simd::{Simd, splat3};
 
 use super::SurfacePoint;
+use super::ray_group::RayGroup;
+use super::single_shape::{Found, SingleShape, hit_of_part};
 
 /// How a line comes by a ball: what decides whether they meet, and where.
 ///
@@ -78,18 +81,69 @@ impl Ball {
         Some(if t0 <= t1 { (t0, t1) } else { (t1, t0) })
     }
 
-    /// The smallest box around the ball, rounded outwards.
+    /// A ball, given in an object's space, under the object's transform: the ball, and what is left of
+    /// the transform.
+    ///
+    /// A transform that keeps its form leaves a ball in the world; any other is left to the unit ball
+    /// about the origin, which it takes there.
     #[must_use]
-    pub fn bounds(&self) -> Aabb {
+    pub fn transformed(center: DVec3, radius: f64, transform: &DAffine3) -> (Self, DAffine3) {
+        if let Some(scale) = uniform_scale(transform) {
+            let center = transform.transform_point3(center).as_vec3();
+            return (Self { center, radius: (radius * scale) as f32 }, DAffine3::IDENTITY);
+        }
+        let own = DAffine3::from_translation(center) * DAffine3::from_scale(DVec3::splat(radius));
+        (Self { center: Vec3::ZERO, radius: 1.0 }, *transform * own)
+    }
+}
+
+/// The factor by which a transform scales lengths, if it is the same in all directions.
+fn uniform_scale(transform: &DAffine3) -> Option<f64> {
+    let m = transform.matrix3;
+    let gram = m.transpose() * m;
+    let scale_squared = gram.x_axis.x;
+    let difference = gram - DMat3::from_diagonal(DVec3::splat(scale_squared));
+    let largest = difference.abs().to_cols_array().into_iter().fold(0.0, f64::max);
+    (scale_squared > 0.0 && largest <= 1e-12 * scale_squared).then(|| scale_squared.sqrt())
+}
+
+impl SingleShape for Ball {
+    const NAME: &'static str = "ball";
+
+    fn bounds(&self) -> Aabb {
         let (center, radius) = (self.center.as_dvec3(), f64::from(self.radius));
         outward_box(center - radius, center + radius)
     }
 
-    /// The point of the surface that is nearest to the ray's point at `t`.
-    #[must_use]
-    pub fn surface_point(&self, ray: &Ray, t: f32) -> SurfacePoint {
+    /// Its diameter: the box of a small ball far from the origin is larger, since it is rounded
+    /// outwards.
+    fn size(&self) -> f64 {
+        2.0 * f64::from(self.radius)
+    }
+
+    #[inline]
+    fn offer_hits(&self, ray: &Ray, mut take: impl FnMut(Hit) -> bool) {
+        let Some((enter, leave)) = self.crossing(ray) else { return };
+        let _ = take(hit_of_part(enter, 0)) || take(hit_of_part(leave, 0));
+    }
+
+    #[inline(always)]
+    fn first_hits<S: Simd>(&self, rays: &RayGroup<S>) -> Found<S::F16> {
+        let center: Lanes3<S::F16> = splat3(self.center.to_array());
+        let origin = rays.origin;
+        let to_center = [center[0] - origin[0], center[1] - origin[1], center[2] - origin[2]];
+        let line = Approach::new(to_center, rays.dir, S::F16::splat(self.radius * self.radius));
+        let (enter, leave) = in_order::<S>(line.roots());
+        let first = rays.accepts(enter);
+        let zero = S::F16::splat(0.0);
+        let lanes = (first | rays.accepts(leave)) & met::<S>(&line);
+        Found { t: enter.select(first, leave), u: zero, v: zero, lanes, part: [0; 2] }
+    }
+
+    /// The point that is nearest to the ray's point at the hit's parameter.
+    fn surface_point(&self, ray: &Ray, hit: &Hit) -> SurfacePoint {
         let center = self.center.as_dvec3();
-        let on_ray = ray.origin.as_dvec3() + f64::from(t) * ray.dir.as_dvec3();
+        let on_ray = ray.origin.as_dvec3() + f64::from(hit.t) * ray.dir.as_dvec3();
         let outward = (on_ray - center).try_normalize();
         let normal = outward.unwrap_or_else(|| -ray.dir.as_dvec3().normalize());
         let radius = f64::from(self.radius);
@@ -102,9 +156,28 @@ impl Ball {
     }
 }
 
+/// Two parameters, the smaller one first.
+#[inline(always)]
+pub(super) fn in_order<S: Simd>((t0, t1): (S::F16, S::F16)) -> (S::F16, S::F16) {
+    let ordered = t0.le(t1).bits();
+    (t0.select(ordered, t1), t1.select(ordered, t0))
+}
+
+/// Which lines meet the ball, not all of it behind their origin: [`Approach::roots_if_met`].
+#[inline(always)]
+pub(super) fn met<S: Simd>(line: &Approach<S::F16>) -> u32 {
+    let zero = S::F16::splat(0.0);
+    let ahead = line.c.le(zero).bits() | zero.le(line.b).bits();
+    ahead & zero.le(line.discriminant).bits()
+}
+
 #[cfg(test)]
 mod tests {
+    use glam::DQuat;
+
     use super::*;
+    use crate::shapes::Single;
+    use crate::shapes::single_many::tests::assert_same_bits;
 
     #[test]
     fn a_line_through_the_centre_crosses_at_the_radius() {
@@ -143,8 +216,34 @@ mod tests {
         let ball = Ball { center: Vec3::new(5.0, 0.0, 0.0), radius: 2.0 };
         let ray = Ray::new(Vec3::new(5.1, 0.2, 9.0), -Vec3::Z);
         let (t, _) = ball.crossing(&ray).unwrap();
-        let p = ball.surface_point(&ray, t);
+        let p = ball.surface_point(&ray, &hit_of_part(t, 0));
         assert!((p.position.distance(ball.center.as_dvec3()) - 2.0).abs() < 1e-12);
         assert!(p.normal.z > 0.9);
+    }
+
+    #[test]
+    fn sixteen_rays_find_what_each_of_them_finds() {
+        let ball = Ball { center: Vec3::new(0.1, -0.2, 0.3), radius: 0.9 };
+        assert_same_bits(&Single::Ball(ball));
+    }
+
+    #[test]
+    fn turned_and_evenly_scaled_balls_stay_balls() {
+        let m = DAffine3::from_scale_rotation_translation(
+            DVec3::new(2.0, -2.0, 2.0),
+            DQuat::from_rotation_x(0.4),
+            DVec3::new(1.0, 0.0, 0.0),
+        );
+        let (ball, transform) = Ball::transformed(DVec3::ZERO, 0.5, &m);
+        assert_eq!(ball, Ball { center: Vec3::X, radius: 1.0 });
+        assert_eq!(transform, DAffine3::IDENTITY);
+    }
+
+    #[test]
+    fn an_ellipsoid_is_the_unit_ball_transformed() {
+        let m = DAffine3::from_scale(DVec3::new(2.0, 1.0, 1.0));
+        let (ball, transform) = Ball::transformed(DVec3::new(1.0, 0.0, 0.0), 3.0, &m);
+        assert_eq!(ball, Ball { center: Vec3::ZERO, radius: 1.0 });
+        assert_eq!(transform.transform_point3(DVec3::X), DVec3::new(8.0, 0.0, 0.0));
     }
 }

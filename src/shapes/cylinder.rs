@@ -2,10 +2,13 @@
 
 use glam::{DVec2, DVec3, Vec3A};
 
-use crate::math::{Aabb, Lanes, Lanes3, Ray, UNIT_ROUNDOFF};
+use crate::math::{Aabb, Hit, Lanes, Lanes3, Mask as _, Ray, UNIT_ROUNDOFF};
+use crate::simd::Simd;
 
 use super::SurfacePoint;
-use super::ball::Approach;
+use super::ball::{Approach, in_order, met};
+use super::ray_group::RayGroup;
+use super::single_shape::{Found, SingleShape, hit_of_part};
 
 /// The cylinder. It has no parameters: its object's transform gives it a place and a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,18 +37,64 @@ impl Cylinder {
             if column_out <= slab_out { (column_out, Self::SIDE) } else { (slab_out, cap_out) };
         (enter.0 <= leave.0).then_some([enter, leave])
     }
+}
 
-    /// The box around the cylinder.
-    #[must_use]
-    pub fn bounds() -> Aabb {
+impl SingleShape for Cylinder {
+    const NAME: &'static str = "cylinder";
+
+    fn bounds(&self) -> Aabb {
         Aabb { min: Vec3A::new(-1.0, -1.0, 0.0), max: Vec3A::ONE }
     }
 
-    /// The point of a part of the surface that is nearest to the ray's point at `t`.
-    #[must_use]
-    pub fn surface_point(ray: &Ray, t: f32, part: u32) -> SurfacePoint {
-        let p = ray.origin.as_dvec3() + f64::from(t) * ray.dir.as_dvec3();
-        let (position, normal) = match part {
+    #[inline]
+    fn offer_hits(&self, ray: &Ray, mut take: impl FnMut(Hit) -> bool) {
+        let Some([enter, leave]) = Self::crossing(ray) else { return };
+        let _ = take(hit_of_part(enter.0, enter.1)) || take(hit_of_part(leave.0, leave.1));
+    }
+
+    #[inline(always)]
+    fn first_hits<S: Simd>(&self, rays: &RayGroup<S>) -> Found<S::F16> {
+        let (zero, one) = (S::F16::splat(0.0), S::F16::splat(1.0));
+        let (before, behind) = (S::F16::splat(f32::NEG_INFINITY), S::F16::splat(f32::INFINITY));
+        // The column; for lines along the axis it is everywhere or nowhere.
+        let line = approach_column(rays.origin, rays.dir);
+        let (column_in, column_out) = in_order::<S>(line.roots());
+        let along = line.a.le(zero).bits();
+        let column_in = before.select(along, column_in);
+        let column_out = behind.select(along, column_out);
+        let in_column = (met::<S>(&line) & !along) | (line.c.le(zero).bits() & along);
+        // The slab between the caps; for lines across it is everywhere or nowhere.
+        let (z, dz) = (rays.origin[2], rays.dir[2]);
+        let (bottom, top) = ((zero - z) / dz, (one - z) / dz);
+        let across = dz.abs().le(zero).bits();
+        let down = dz.le(zero).bits();
+        let slab_in = before.select(across, top.select(down, bottom));
+        let slab_out = behind.select(across, bottom.select(down, top));
+        let in_slab = !across | (zero.le(z) & z.le(one)).bits();
+        // The solid is where both are.
+        let side_in = slab_in.le(column_in).bits();
+        let side_out = column_out.le(slab_out).bits();
+        let enter = column_in.select(side_in, slab_in);
+        let leave = column_out.select(side_out, slab_out);
+        let first = rays.accepts(enter);
+        let hit = first | rays.accepts(leave);
+        let lanes = hit & in_column & in_slab & enter.le(leave).bits();
+        // Upwards a line enters by the bottom and leaves by the top.
+        let cap = (first & !side_in) | (!first & !side_out);
+        let at_bottom = cap & (first ^ down);
+        Found {
+            t: enter.select(first, leave),
+            u: zero,
+            v: zero,
+            lanes,
+            part: [at_bottom, cap & !at_bottom],
+        }
+    }
+
+    /// The point of the part that is nearest to the ray's point at the hit's parameter.
+    fn surface_point(&self, ray: &Ray, hit: &Hit) -> SurfacePoint {
+        let p = ray.origin.as_dvec3() + f64::from(hit.t) * ray.dir.as_dvec3();
+        let (position, normal) = match hit.prim {
             Self::SIDE => {
                 let radial = p.truncate().normalize_or(DVec2::X);
                 (radial.extend(p.z), radial.extend(0.0))
@@ -93,8 +142,11 @@ fn slab(ray: &Ray) -> Option<((f32, u32), (f32, u32))> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use glam::Vec3;
+
+    use super::*;
+    use crate::shapes::Single;
+    use crate::shapes::single_many::tests::assert_same_bits;
 
     #[test]
     fn lines_cross_side_and_caps_where_they_should() {
@@ -139,8 +191,13 @@ mod tests {
     fn surface_points_lie_on_their_part() {
         let ray = Ray::new(Vec3::new(-3.0, 0.3, 0.5), Vec3::X);
         let [(t, part), _] = Cylinder::crossing(&ray).unwrap();
-        let p = Cylinder::surface_point(&ray, t, part);
+        let p = Cylinder.surface_point(&ray, &hit_of_part(t, part));
         assert!((p.position.truncate().length() - 1.0).abs() < 1e-12);
         assert!(p.normal.x < -0.9);
+    }
+
+    #[test]
+    fn sixteen_rays_find_what_each_of_them_finds() {
+        assert_same_bits(&Single::Cylinder(Cylinder));
     }
 }

@@ -1,21 +1,30 @@
-//! The forms that rays hit: one file a shape, each with its formula, its box, and its point.
+//! The shapes that rays hit: one file a shape, each with its name, formula, box and surface point.
 //!
-//! A formula is written once and called by every structure. Shapes do not depend on scenes,
-//! materials or files; transforms are applied before a ray gets here.
+//! [`Single`] is the list of the shapes that are one primitive; meshes are sets of triangles. A
+//! formula is written once and called by every structure. Shapes do not depend on scenes, materials or
+//! files; transforms are applied before a ray gets here.
+
+/// The same expression for whichever shape a [`Single`] is.
+macro_rules! for_shape {
+    ($single:expr, $shape:ident => $result:expr) => {
+        match $single {
+            Single::Ball($shape) => $result,
+            Single::Cylinder($shape) => $result,
+            Single::Triangle($shape) => $result,
+        }
+    };
+}
 
 mod ball;
 mod clip;
 mod cylinder;
 mod end_point_overlap;
-#[cfg(feature = "program")]
 mod instance;
 mod mesh_error;
-#[cfg(feature = "program")]
 mod ray_group;
-#[cfg(feature = "program")]
 mod single;
-#[cfg(feature = "program")]
 mod single_many;
+mod single_shape;
 mod surface_point;
 mod triangle;
 mod triangle_set;
@@ -23,11 +32,26 @@ mod triangle_set;
 pub use ball::Ball;
 pub use cylinder::Cylinder;
 pub use end_point_overlap::{EndPointOverlap, OVERLAP_SAMPLES, end_point_overlap};
-#[cfg(feature = "program")]
 pub use instance::Instance;
 pub use mesh_error::MeshError;
-#[cfg(feature = "program")]
-pub use single::Single;
 pub use surface_point::SurfacePoint;
 pub use triangle::Triangle;
 pub use triangle_set::TriangleSet;
+
+use single_shape::SingleShape;
+
+/// A shape that is one primitive, in its own space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Single {
+    /// A ball.
+    Ball(Ball),
+    /// The canonical cylinder.
+    Cylinder(Cylinder),
+    /// A triangle.
+    Triangle(Triangle),
+}
+
+impl Single {
+    /// The names of all shapes, in the order in which they are listed.
+    pub const NAMES: [&'static str; 3] = [Ball::NAME, Cylinder::NAME, Triangle::NAME];
+}

@@ -2,7 +2,7 @@
 
 use crate::accel::Query;
 use crate::math::slab::{finite_reciprocal, slab};
-use crate::math::{Lanes, Lanes3, Ray};
+use crate::math::{Lanes, Lanes3, Mask as _, Ray, within};
 use crate::simd::{LANES, Row, Simd};
 
 use super::Instance;
@@ -60,6 +60,12 @@ impl<S: Simd> RayGroup<S> {
             self.begin = near.max(self.begin);
             self.end = far.min(self.end);
         }
+    }
+
+    /// Which rays count a hit at these parameters.
+    #[inline(always)]
+    pub(super) fn accepts(&self, t: S::F16) -> u32 {
+        within(t, [self.begin, self.end]).bits()
     }
 
     /// Takes the rays to the object's own space: the operations of `RayToObject::apply`.

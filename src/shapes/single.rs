@@ -1,22 +1,12 @@
-//! The shapes that are one primitive: one ray against one of them.
+//! A shape that is one primitive, whichever it is: one ray against it, its name, box and points.
 //!
 //! Many rays against one are in `single_many.rs`, by the same formulas.
 
 use crate::accel::{Query, Search};
-use crate::math::{BoxRay, Hit, Ray, within};
+use crate::math::{Aabb, BoxRay, Hit, Ray, within};
 
-use super::{Ball, Cylinder, Instance, Triangle};
-
-/// A shape that is one primitive, in its own space.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Single {
-    /// A ball.
-    Ball(Ball),
-    /// The canonical cylinder.
-    Cylinder,
-    /// A triangle.
-    Triangle(Triangle),
-}
+use super::single_shape::SingleShape;
+use super::{Instance, Single, SurfacePoint};
 
 impl Single {
     /// Records the hits of a ray that count: see [`Primitives::test`](crate::accel::Primitives::test).
@@ -33,30 +23,44 @@ impl Single {
         let t_max = query.end(ray, answer);
         let own = instance.own_ray(&Ray { t_max, ..*ray });
         // Returns whether what lies farther on the shape is of no interest.
-        let mut offer = |t, prim, u, v| {
-            let counts = within(t, [own.t_min, own.t_max]) && box_ray.accepts(&instance.bounds, t);
-            let hit = Hit { t, object: instance.object, prim, u, v };
-            let recorded = counts && query.accepts(&own, &hit);
+        let offer = |hit: Hit| {
+            let in_reach = within(hit.t, [own.t_min, own.t_max]);
+            let hit = Hit { object: instance.object, ..hit };
+            let recorded =
+                in_reach && box_ray.accepts(&instance.bounds, hit.t) && query.accepts(&own, &hit);
             if recorded {
                 query.record(answer, &hit);
             }
             recorded && !matches!(Q::SEARCH, Search::All)
         };
-        match self {
-            Self::Ball(ball) => {
-                let crossing = ball.crossing(&own);
-                let _ = crossing.is_some_and(|(enter, leave)| {
-                    offer(enter, 0, 0.0, 0.0) || offer(leave, 0, 0.0, 0.0)
-                });
-            }
-            Self::Cylinder => {
-                let crossings = Cylinder::crossing(&own).into_iter().flatten();
-                let _ = crossings.into_iter().any(|(t, part)| offer(t, part, 0.0, 0.0));
-            }
-            Self::Triangle(triangle) => {
-                let hit = triangle.intersect(&own);
-                let _ = hit.is_some_and(|(t, u, v)| offer(t, 0, u, v));
-            }
+        for_shape!(self, shape => shape.offer_hits(&own, offer));
+    }
+
+    /// The noun that messages use for it, after `a`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        fn name_of<T: SingleShape>(_: &T) -> &'static str {
+            T::NAME
         }
+        for_shape!(self, shape => name_of(shape))
+    }
+
+    /// The smallest box around it, rounded outwards.
+    #[must_use]
+    pub fn bounds(&self) -> Aabb {
+        for_shape!(self, shape => shape.bounds())
+    }
+
+    /// Its largest extent.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        for_shape!(self, shape => shape.size())
+    }
+
+    /// The point of the surface at a hit of a ray in its own space.
+    #[inline]
+    #[must_use]
+    pub fn surface_point(&self, ray: &Ray, hit: &Hit) -> SurfacePoint {
+        for_shape!(self, shape => SingleShape::surface_point(shape, ray, hit))
     }
 }

@@ -8,10 +8,15 @@
 use glam::{DVec3, Vec3, Vec3A};
 
 use crate::accel::PackHits;
-use crate::math::{Aabb, Lanes, Lanes3, Ray, UNIT_ROUNDOFF, cross, dot, sub, within};
+use crate::math::{
+    Aabb, Hit, Lanes, Lanes3, Mask as _, NONE, Ray, UNIT_ROUNDOFF, cross, dot, sub, within,
+};
+use crate::simd::{Simd, splat3};
 
 use super::SurfacePoint;
 use super::clip::bounds_within;
+use super::ray_group::RayGroup;
+use super::single_shape::{Found, SingleShape};
 
 /// The ray's hit on the triangle's plane, times the determinant.
 #[derive(Clone, Copy, Debug)]
@@ -159,6 +164,41 @@ impl Triangle {
     }
 }
 
+impl SingleShape for Triangle {
+    const NAME: &'static str = "triangle";
+
+    fn bounds(&self) -> Aabb {
+        self.bounds()
+    }
+
+    #[inline]
+    fn offer_hits(&self, ray: &Ray, mut take: impl FnMut(Hit) -> bool) {
+        let Some((t, u, v)) = self.intersect(ray) else { return };
+        take(Hit { t, object: NONE, prim: 0, u, v });
+    }
+
+    #[inline(always)]
+    fn first_hits<S: Simd>(&self, rays: &RayGroup<S>) -> Found<S::F16> {
+        let zero = S::F16::splat(0.0);
+        let hit = scaled_hit(
+            rays.origin,
+            rays.dir,
+            splat3(self.v0.to_array()),
+            splat3(self.e1.to_array()),
+            splat3(self.e2.to_array()),
+        );
+        let inside = hit.inside() & zero.le(hit.t);
+        let t = hit.t / hit.det;
+        let lanes = inside.bits() & rays.accepts(t);
+        Found { t, u: hit.u / hit.det, v: hit.v / hit.det, lanes, part: [0; 2] }
+    }
+
+    #[inline]
+    fn surface_point(&self, _: &Ray, hit: &Hit) -> SurfacePoint {
+        self.surface_point(hit.u, hit.v)
+    }
+}
+
 /// How far from the plane the sign of `t` is certain.
 ///
 /// `t·det = e2·(s × e1)` is the distance times |e1 × e2|. Each of its products passes five
@@ -176,7 +216,9 @@ fn clearance(e1: DVec3, e2: DVec3, double_area_recip: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::{Mask as _, Random};
+    use crate::math::Random;
+    use crate::shapes::Single;
+    use crate::shapes::single_many::tests::assert_same_bits;
 
     fn hit(origin: [f32; 3], dir: [f32; 3], t: &Triangle) -> Option<(f32, f32, f32)> {
         t.intersect(&Ray::new(origin.into(), dir.into()))
@@ -330,5 +372,11 @@ mod tests {
         let plane_distance = (p.position - t.v0.as_dvec3()).dot(p.normal.normalize());
         assert!(plane_distance.abs() < 1e-12);
         assert!(p.clearance > 0.0 && p.clearance < 1e-4);
+    }
+
+    #[test]
+    fn sixteen_rays_find_what_each_of_them_finds() {
+        let corners = [Vec3::new(-2.0, -1.0, 0.0), Vec3::X, Vec3::splat(1.5)];
+        assert_same_bits(&Single::Triangle(Triangle::new(corners)));
     }
 }

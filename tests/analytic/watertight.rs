@@ -11,8 +11,9 @@ use std::f64::consts::TAU;
 
 use glam::{DMat3, DVec3};
 use srt::accel::{Answers, BuildConfig, Scratch};
+use srt::description::Shape;
 use srt::math::{Hit, Random, Ray};
-use srt::scene::{Form, Scene, structure_named};
+use srt::scene::{Scene, structure_named};
 
 use super::common::scene;
 use super::view::View;
@@ -34,7 +35,7 @@ fn ball_of_triangles(triangles: u32) -> Scene {
 
 /// Rays through points of random edges, from `distance` away, outside of the mesh.
 fn rays_through_edges(scene: &Scene, distance: f32) -> Vec<Ray> {
-    let Form::Mesh { mesh, .. } = scene.objects[0].form else { panic!("not a mesh") };
+    let Shape::Mesh { mesh, .. } = scene.objects[0].shape else { panic!("not a mesh") };
     let mesh = &scene.meshes()[mesh];
     let mut random = Random::new(&[7]);
     let mut ray = || {

@@ -13,6 +13,7 @@ use srt::description::{
 };
 use srt::math::{Color, Random, Ray};
 use srt::scene::{STRUCTURES, Scene};
+use srt::shapes::{Ball, Cylinder, Single, Triangle};
 
 use crate::{assert_equal, trace};
 
@@ -97,16 +98,19 @@ fn mesh_data(mesh: &Mesh) -> Arc<MeshData> {
 
 fn random_object(index: usize, scale: f64, random: &mut Random) -> Object {
     let transform = random_transform(index, scale, random);
-    let (shape, transform) = match index % 5 {
-        0 => (Shape::Ball { radius: 0.6, center: DVec3::new(0.1, 0.0, -0.2) }, transform),
-        1 => (Shape::Cylinder, transform),
-        2 => {
-            let corners = [(); 3].map(|()| scale * 2.0 * random_point(random).as_dvec3());
-            (Shape::Triangle { corners }, DAffine3::IDENTITY)
+    match index % 5 {
+        0 => {
+            let (ball, transform) = Ball::transformed(DVec3::new(0.1, 0.0, -0.2), 0.6, &transform);
+            Object::new(Single::Ball(ball), transform)
         }
-        mesh => (Shape::Mesh { mesh: mesh - 3, normals: Normals::Flat }, transform),
-    };
-    Object::new(shape, transform)
+        1 => Object::new(Single::Cylinder(Cylinder), transform),
+        2 => {
+            let corner = |()| (scale * 2.0 * random_point(random).as_dvec3()).as_vec3();
+            let triangle = Triangle::new([(); 3].map(corner));
+            Object::new(Single::Triangle(triangle), DAffine3::IDENTITY)
+        }
+        mesh => Object::new(Shape::Mesh { mesh: mesh - 3, normals: Normals::Flat }, transform),
+    }
 }
 
 /// Nothing, moves, turns, mirrors, even and uneven scales, and shears made of both.

@@ -7,11 +7,11 @@
 
 use glam::{DVec3, Vec3};
 
-use crate::description::Normals;
+use crate::description::{Normals, Shape};
 use crate::math::{Hit, Ray, Transform, UNIT_ROUNDOFF};
-use crate::shapes::{Cylinder, SurfacePoint, Triangle};
+use crate::shapes::{SurfacePoint, Triangle};
 
-use super::{Form, Object, Scene};
+use super::{Object, Scene};
 
 /// A point of a surface as it is seen along a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,11 +94,9 @@ impl Scene {
         hit: &Hit,
     ) -> SurfacePoint {
         let own_ray = || transform.map_or(*ray, |transform| transform.ray_to_object().apply(ray));
-        match object.form {
-            Form::Ball(ball) => ball.surface_point(&own_ray(), hit.t),
-            Form::Cylinder => Cylinder::surface_point(&own_ray(), hit.t, hit.prim),
-            Form::Triangle(triangle) => triangle.surface_point(hit.u, hit.v),
-            Form::Mesh { mesh, .. } => {
+        match object.shape {
+            Shape::Single(single) => single.surface_point(&own_ray(), hit),
+            Shape::Mesh { mesh, .. } => {
                 let mesh = &self.meshes[mesh];
                 let corners = mesh.triangles[hit.prim as usize];
                 Triangle::new(corners.map(|c| mesh.positions[c as usize]))
@@ -115,7 +113,9 @@ impl Scene {
         transform: Option<&Transform>,
         hit: &Hit,
     ) -> Option<Vec3> {
-        let Form::Mesh { mesh, normals: Normals::Interpolated } = object.form else { return None };
+        let Shape::Mesh { mesh, normals: Normals::Interpolated } = object.shape else {
+            return None;
+        };
         let mesh = &self.meshes[mesh];
         let corners = mesh.normal_indices[hit.prim as usize];
         let [a, b, c] = corners.map(|corner| mesh.normals[corner as usize]);

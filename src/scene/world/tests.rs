@@ -10,6 +10,7 @@ use crate::description::{
     self, Camera, Material, MeshReference, Normals, Options, SceneDescription, Shape,
 };
 use crate::math::{Color, Hit, Random};
+use crate::shapes::{Ball, Cylinder, Single, Triangle};
 
 /// Groups of sixteen rays; fewer for an interpreter.
 const GROUPS: usize = if cfg!(miri) { 12 } else { 64 };
@@ -107,14 +108,15 @@ fn streams_find_what_none_finds() {
         let transform = DAffine3::from_translation(place)
             * turned
             * DAffine3::from_scale(DVec3::new(0.3, 0.4, 0.5));
-        let ball = Shape::Ball { radius: 0.3, center: place };
+        let ball = |center: Vec3, radius| Single::Ball(Ball { center, radius }).into();
         objects.push(match number % 5 {
-            0 => (ball, DAffine3::IDENTITY),
-            1 => (Shape::Ball { radius: 1.0, center: DVec3::ZERO }, transform),
-            2 => (Shape::Cylinder, transform),
+            0 => (ball(place.as_vec3(), 0.3), DAffine3::IDENTITY),
+            1 => (ball(Vec3::ZERO, 1.0), transform),
+            2 => (Single::Cylinder(Cylinder).into(), transform),
             3 => {
                 let corners = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| place + 0.5 * axis);
-                (Shape::Triangle { corners }, DAffine3::IDENTITY)
+                let triangle = Triangle::new(corners.map(|corner| corner.as_vec3()));
+                (Single::Triangle(triangle).into(), DAffine3::IDENTITY)
             }
             _ => (mesh(), transform),
         });

@@ -1,0 +1,55 @@
+//! What a command does, and its row in the table: the command and its action.
+
+use super::builder::SceneBuilder;
+use super::command::SceneCommand;
+use super::values::Values;
+
+/// A row of the table of commands.
+pub(super) struct Row {
+    pub(super) command: SceneCommand,
+    pub(super) action: Action,
+}
+
+/// What a command does.
+#[derive(Clone, Copy)]
+pub(super) enum Action {
+    /// Acts on the scene.
+    Scene(SceneAction),
+    /// Begins lines that are carried out as many times as its value says.
+    Repeat,
+    /// Ends the lines of the innermost `Repeat`.
+    EndRepeat,
+    /// Ends the scene.
+    End,
+}
+
+/// What a command does to the scene.
+#[derive(Clone, Copy)]
+pub(super) struct SceneAction {
+    /// What it adds, if its values are right.
+    pub(super) adds: Addition,
+    pub(super) apply: fn(&mut SceneBuilder, &Values<'_>),
+}
+
+/// What a command adds to the scene.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Addition {
+    Nothing,
+    Object,
+    Light,
+}
+
+/// Changes the camera, the options, or what is in force.
+pub(super) const fn change(apply: fn(&mut SceneBuilder, &Values<'_>)) -> Action {
+    Action::Scene(SceneAction { adds: Addition::Nothing, apply })
+}
+
+/// Adds an object.
+pub(super) const fn add_object(apply: fn(&mut SceneBuilder, &Values<'_>)) -> Action {
+    Action::Scene(SceneAction { adds: Addition::Object, apply })
+}
+
+/// Adds a light.
+pub(super) const fn add_light(apply: fn(&mut SceneBuilder, &Values<'_>)) -> Action {
+    Action::Scene(SceneAction { adds: Addition::Light, apply })
+}
