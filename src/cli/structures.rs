@@ -7,7 +7,7 @@ use clap::{Command, CommandFactory, FromArgMatches};
 
 use super::args::{self, Arguments};
 use super::exit::Failure;
-use crate::scene::{STRUCTURES, Structure, YARDSTICKS};
+use crate::scene::{PEERS, STRUCTURES, Structure};
 
 /// All that can be named, in the order in which help lists them.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ impl Structures {
             )));
         }
         let mut all = [STRUCTURES, extra].concat();
-        all.extend(YARDSTICKS);
+        all.extend(PEERS);
         let twice =
             (1..all.len()).find(|&i| all[..i].iter().any(|other| other.name == all[i].name));
         match twice {
@@ -52,7 +52,7 @@ impl Structures {
             && compare.accel.is_empty()
         {
             // Yardsticks are measured only when they are asked for.
-            compare.accel = self.0.iter().copied().filter(|one| !one.yardstick).collect();
+            compare.accel = self.0.iter().copied().filter(|one| !one.peer).collect();
         }
         arguments
     }
@@ -91,7 +91,7 @@ fn is_name(name: &str) -> bool {
 /// Those of the library.
 impl Default for Structures {
     fn default() -> Self {
-        Self([STRUCTURES, YARDSTICKS].concat())
+        Self([STRUCTURES, PEERS].concat())
     }
 }
 

@@ -59,7 +59,7 @@ impl Work<'_> {
         let Some(proof) = &mut self.outcome.record.proof else { return };
         let named = |name: &str| self.entrants.iter().position(|e| e.structure.name == name);
         let reference = named(&proof.reference).and_then(|i| all[i].clone());
-        let held = self.entrants.iter().zip(all).filter(|(e, _)| !e.structure.yardstick);
+        let held = self.entrants.iter().zip(all).filter(|(e, _)| !e.structure.peer);
         let any = || held.filter_map(|(_, picture)| picture.clone()).next();
         let Some(reference) = reference.or_else(any) else { return };
         let mut differing = Vec::new();
@@ -88,7 +88,7 @@ impl Work<'_> {
         estimates: &[Option<Duration>],
         budget: Budget,
     ) {
-        let held = |i: &usize| !self.entrants[*i].structure.yardstick && !fit.contains(i);
+        let held = |i: &usize| !self.entrants[*i].structure.peer && !fit.contains(i);
         let left: Vec<usize> = (0..self.entrants.len()).filter(held).collect();
         for (done, &index) in left.iter().enumerate() {
             let Some(time) = estimates[index] else { continue };
@@ -136,7 +136,7 @@ impl Work<'_> {
         let mut fit = pictures::that_fit(&estimates, budget.share(0.2).left());
         self.note_missing(&fit, &estimates, "heatmap");
         // Yardsticks count no tests.
-        fit.retain(|&i| !self.entrants[i].structure.yardstick);
+        fit.retain(|&i| !self.entrants[i].structure.peer);
         let (scale, maps) = pictures::heatmaps(&mut self.entrants, &fit, &settings, &self.stage);
         self.outcome.record.heat_scale = scale;
         for (index, picture) in maps {

@@ -59,7 +59,7 @@ impl Hit {
 
     /// Whether another formula may have found `other` where this one found `self`: the same
     /// primitive of the same object, or a `t` that is the same but for [`CLOSE`] of it; or neither
-    /// hit anything. What a yardstick is held to.
+    /// hit anything. What peers are held to.
     #[must_use]
     pub fn agrees(&self, other: &Self) -> bool {
         if !self.is_hit() || !other.is_hit() {

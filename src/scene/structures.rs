@@ -3,7 +3,8 @@
 use crate::accel::{Accel, BoundingBall, BuildConfig, Bvh, Bvh8, CompressedWideBvh, Exhaustive};
 
 #[cfg(feature = "embree")]
-use super::embree_world::EmbreeWorld;
+use super::embree::Embree;
+use super::foreign::{ForeignTracer, ForeignWorld};
 use super::{BuildError, Scene, TracedWorld, World};
 
 /// A structure by name.
@@ -15,7 +16,7 @@ pub struct Structure {
     pub summary: &'static str,
     /// Whether it is another program's, compared for its speed: its hits are close to those of the
     /// others, not equal, and it counts nothing.
-    pub yardstick: bool,
+    pub peer: bool,
     build: BuildFunction,
 }
 
@@ -30,13 +31,24 @@ impl Structure {
     ) -> Self {
         let build: BuildFunction =
             |scene, config| Ok(Box::new(World::<O, T>::build(scene, config)));
-        Self { name, summary, yardstick: false, build }
+        Self { name, summary, peer: false, build }
+    }
+
+    /// Another program's library, as a peer.
+    #[must_use]
+    pub const fn foreign<F: ForeignTracer + 'static>(
+        name: &'static str,
+        summary: &'static str,
+    ) -> Self {
+        let build: BuildFunction =
+            |scene, config| Ok(Box::new(ForeignWorld::<F>::build(scene, config)?));
+        Self { name, summary, peer: true, build }
     }
 
     /// Builds it over a scene.
     ///
     /// # Errors
-    /// If a yardstick does not know what the scene is made of. The structures of this crate, and
+    /// If a peer does not know what the scene is made of. The structures of this crate, and
     /// those of [`new`](Self::new), take every scene.
     pub fn try_build(
         &self,
@@ -72,25 +84,21 @@ pub const STRUCTURES: &[Structure] = &[
 ];
 
 /// What the structures are measured against, where the program was built with it.
-pub const YARDSTICKS: &[Structure] = &[
+pub const PEERS: &[Structure] = &[
     #[cfg(feature = "embree")]
-    Structure {
-        name: "embree",
-        summary: "Intel's Embree, ray by ray: a yardstick, for scenes of triangles",
-        yardstick: true,
-        build: |scene, _| Ok(Box::new(EmbreeWorld::<false>::build(scene)?)),
-    },
+    Structure::foreign::<Embree<false>>(
+        "embree",
+        "Intel's Embree, ray by ray: a peer, for scenes of triangles",
+    ),
     #[cfg(feature = "embree")]
-    Structure {
-        name: "embree16",
-        summary: "Intel's Embree, in packets of 16 rays: a yardstick, for scenes of triangles",
-        yardstick: true,
-        build: |scene, _| Ok(Box::new(EmbreeWorld::<true>::build(scene)?)),
-    },
+    Structure::foreign::<Embree<true>>(
+        "embree16",
+        "Intel's Embree, in packets of 16 rays: a peer, for scenes of triangles",
+    ),
 ];
 
-/// The structure, or the yardstick, of a name.
+/// The structure, or the peer, of a name.
 #[must_use]
 pub fn structure_named(name: &str) -> Option<&'static Structure> {
-    STRUCTURES.iter().chain(YARDSTICKS).find(|structure| structure.name == name)
+    STRUCTURES.iter().chain(PEERS).find(|structure| structure.name == name)
 }
