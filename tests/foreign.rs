@@ -37,7 +37,7 @@ fn compared(scene: Scene, others: &[Structure]) -> Outcome {
     let mut plan = Plan::of_scenes(vec![input]);
     plan.budget = Some(Duration::from_secs(4));
     plan.rays_per_class = 2_000;
-    let bvh = structure_named("bvh").unwrap().clone();
+    let bvh = *structure_named("bvh").unwrap();
     run(&plan, &[&[bvh], others].concat(), &Silent).unwrap()
 }
 

@@ -198,7 +198,8 @@ impl Work<'_> {
         let held = |i: &usize| !self.entrants[*i].structure.peer;
         let none = fit.iter().copied().find(|&i| self.entrants[i].structure.name == "none");
         // A structure of this program rather than one that somebody is trying out.
-        let unknown = |i: &usize| structure_named(self.entrants[*i].structure.name).is_none();
+        let unknown =
+            |i: &usize| structure_named(self.entrants[*i].structure.base_name()).is_none();
         let quick = || fit.iter().copied().filter(held).min_by_key(unknown);
         let is_fit = |i: &usize| held(i) && self.entrants[*i].is_fit();
         // Where no one has time for a picture, the quickest answers most rays.
@@ -253,8 +254,9 @@ impl Work<'_> {
             })
         };
         let agreed = |name: &str| proof.structure(name).is_some_and(|own| own.rays_checked > 0);
-        let of_srt =
-            |structure: &Structure| !structure.peer && structure_named(structure.name).is_some();
+        let of_srt = |structure: &Structure| {
+            !structure.peer && structure_named(structure.base_name()).is_some()
+        };
         let witness = (0..self.entrants.len())
             .filter(|&i| i != reference && self.entrants[i].is_fit() && is_quick(&i))
             .filter(|&i| of_srt(self.entrants[i].structure))

@@ -111,7 +111,7 @@ fn compare_hits(
 ) -> u64 {
     let held = |i: &usize| entrants[*i].is_fit() && !entrants[*i].structure.peer;
     let reference = (0..entrants.len()).filter(held).min_by_key(|i| {
-        let known = structure_named(entrants[*i].structure.name).is_some();
+        let known = structure_named(entrants[*i].structure.base_name()).is_some();
         (!known, time_of_all(&times[*i], sets))
     });
     let Some(reference) = reference else { return 0 };

@@ -11,7 +11,9 @@ use std::time::{Duration, Instant};
 
 use glam::Vec3;
 
-use crate::accel::{Answers, BuildConfig, BuildStages, Scratch, StructureShape, Tracer};
+use crate::accel::{
+    Answers, BuildConfig, BuildStages, OptionInfo, Scratch, StructureShape, Tracer,
+};
 use crate::counters::Counts;
 use crate::math::Ray;
 use crate::shapes::EndPointOverlap;
@@ -41,6 +43,9 @@ pub struct ForeignBytes {
 /// An object's place in the list is its id: `Hit::object`; a triangle's place in its object is
 /// `Hit::prim`; `u` and `v` are the weights of its second and third vertex.
 pub trait ForeignTracer: Send + Sync + Sized {
+    /// The options that a build looks for in [`BuildConfig::options`], each of its own name.
+    const OPTIONS: &'static [OptionInfo] = &[];
+
     /// Builds the index over all objects, which come one after the other: of objects with a
     /// transform, the positions are made as they come. An object may have no triangle, and there may
     /// be no object.
