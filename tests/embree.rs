@@ -1,4 +1,4 @@
-//! The yardstick agrees with the structures on nearly all rays, and says what it cannot trace.
+//! Embree agrees with the structures on nearly all rays, and names what it cannot trace.
 
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
@@ -9,7 +9,7 @@ use srt::accel::{Answers, BuildConfig, Scratch, Tracer};
 use srt::compare::{Plan, SceneInput, Silent, run};
 use srt::math::{Hit, Random, Ray};
 use srt::record::Status;
-use srt::scene::{Scene, YARDSTICKS, structure_named};
+use srt::scene::{PEERS, Scene, structure_named};
 
 /// The share of the rays that may be answered otherwise.
 const LARGEST_SHARE: f64 = 1e-4;
@@ -43,7 +43,7 @@ fn answers(tracer: &dyn Tracer, rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
     (hits, blocked)
 }
 
-/// Holds both yardsticks against `bvh`.
+/// Holds both ways of tracing against `bvh`.
 fn assert_agreement(scene: &Scene) {
     let rays = rays(scene);
     let build = |name| structure_named(name).unwrap().build(scene, &BuildConfig::default());
@@ -80,8 +80,8 @@ fn hits_agree_on_transformed_meshes_and_single_triangles() {
 fn an_empty_scene_has_no_hits() {
     let scene = scene("");
     let rays = [Ray::new(Vec3::ZERO, Vec3::X); 17];
-    for yardstick in YARDSTICKS {
-        let world = yardstick.build(&scene, &BuildConfig::default());
+    for peer in PEERS {
+        let world = peer.build(&scene, &BuildConfig::default());
         let (hits, blocked) = answers(&*world, &rays);
         assert!(hits.iter().all(|hit| !hit.is_hit()) && !blocked.contains(&true));
     }
@@ -105,15 +105,15 @@ fn memory_grows_with_the_scene() {
 fn what_it_does_not_know_is_refused_by_name() {
     for (object, form) in [("ball 1 0 0 0", "a ball"), ("cylinder", "a cylinder")] {
         let scene = scene(&format!("triangle 0 0 0  1 0 0  0 1 0\n{object}"));
-        for yardstick in YARDSTICKS {
-            let error = yardstick.try_build(&scene, &BuildConfig::default()).err().unwrap();
+        for peer in PEERS {
+            let error = peer.try_build(&scene, &BuildConfig::default()).err().unwrap();
             let text = error.to_string();
             assert!(text.starts_with(&format!("object 1 is {form}: ")), "{text}");
         }
     }
 }
 
-/// A comparison of all yardsticks with two structures.
+/// A comparison of all peers with two structures.
 fn compared(scene: Scene) -> srt::compare::Outcome {
     let input = SceneInput { name: "a".into(), path: "a.sce".into(), hash: "0".into(), scene };
     let mut plan = Plan::of_scenes(vec![input]);

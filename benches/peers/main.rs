@@ -1,9 +1,9 @@
-//! Rays a second of several structures on one thread, beside a yardstick's: for each mesh and each
+//! Rays a second of several structures on one thread, beside those of peers: for each mesh and each
 //! class of rays, in interleaved rounds.
 //!
 //! `cargo bench --bench peers --features embree -- bunny.obj dragon.obj --rounds 15` measures the
 //! meshes that are named and a generated hall; `--help` tells the rest. It prints Markdown.
-//! Answers are checked first: structures must give equal hits, and a yardstick's must agree.
+//! Answers are checked first: structures must give equal hits, and a peer's must agree.
 
 #![allow(clippy::print_stdout, reason = "this program is run for what it prints")]
 

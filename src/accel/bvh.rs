@@ -1,9 +1,8 @@
 //! obvhs's binary tree, walked by this project's own slab test.
 //!
-//! The tree is built by PLOC (Meister, Bittner: *Parallel Locally-Ordered Clustering for Bounding
-//! Volume Hierarchy Construction*, 2018), improved by reinsertion (Meister, Bittner: *Parallel
-//! Reinsertion for Bounding Volume Hierarchy Optimization*, 2018), and its leaves are collapsed by
-//! the surface area heuristic: all by obvhs. obvhs's own traversal prunes with `<` and without
+//! The tree is built by clustering and improved by reinsertion (`builder/`), its leaves are collapsed by
+//! the surface area heuristic, and it is improved once more: all by obvhs. obvhs's own traversal prunes
+//! with `<` and without
 //! padding, so it cannot keep the contract of [`Accel`]. The walk below does; for it, the boxes of
 //! both children are laid side by side in their parent, a cache line for each pair.
 
@@ -12,7 +11,7 @@ mod save;
 use std::ops::{ControlFlow, Range};
 
 use glam::{Vec3A, Vec4, Vec4Swizzles};
-use obvhs::bvh2::builder::build_bvh2;
+use obvhs::bvh2::leaf_collapser::collapse;
 use obvhs::bvh2::{Bvh2, node::Bvh2Node};
 use smallvec::SmallVec;
 
@@ -21,7 +20,8 @@ use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
 use super::build::obvhs_boxes;
-use super::{Accel, Bounded, Build, Built, Order, Tree};
+use super::builder::{Builder, reinsert};
+use super::{Accel, Bounded, Build, Built, OptionInfo, Order, Tree};
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
 const USUAL_DEPTH: usize = 32;
@@ -52,16 +52,19 @@ struct Child {
     count: u32,
 }
 
+const BUILDER: OptionInfo = Builder::option("ploc");
+const LEAF: OptionInfo = OptionInfo::leaf(32, "8; in the fastest build 1");
+
 impl Accel for Bvh {
+    const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
+
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         if primitives.count() == 0 {
             return Built { accel: Self { nodes: Vec::new(), root: None }, order: None };
         }
-        let mut parameters = build.config.quality.parameters();
-        parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(build.config.max_leaf);
-        let boxes = obvhs_boxes(primitives);
-        let tree = build_bvh2(&boxes, parameters, &mut std::time::Duration::default());
-        lay_out(&tree, build.grain)
+        let boxes = build.stages.time("boxes", || obvhs_boxes(primitives));
+        let tree = binary_tree(&boxes, build);
+        build.stages.time("layout", || lay_out(&tree, build.grain))
     }
 
     #[inline]
@@ -172,6 +175,22 @@ impl PairRay {
     }
 }
 
+/// The tree that is laid out, over at least one box. Where no option is given, it is that of obvhs's
+/// `build_bvh2`.
+fn binary_tree(boxes: &[obvhs::aabb::Aabb], build: &mut Build<'_>) -> Bvh2 {
+    let Build { config, grain, stages } = build;
+    let parameters = config.quality.parameters();
+    let usual_leaf = parameters.max_prims_per_leaf.min(config.max_leaf);
+    let most = config.options.number(&LEAF).unwrap_or(usual_leaf).max(1);
+    let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Ploc);
+    let mut tree = builder.tree(boxes, *grain, config.quality, stages);
+    let cost = parameters.collapse_traversal_cost;
+    stages.time("collapse", || collapse(&mut tree, most, cost));
+    let again = parameters.post_collapse_reinsertion_batch_ratio_multiplier;
+    reinsert(&mut tree, again * builder.reinserted(config.quality), stages);
+    tree
+}
+
 /// Pairs the boxes of siblings, in the order in which a walk meets them, and moves every leaf's
 /// range to a multiple of `grain`.
 fn lay_out(tree: &Bvh2, grain: u32) -> Built<Bvh> {
@@ -214,4 +233,55 @@ fn planes_of(left: &Aabb, right: &Aabb) -> [Vec4; 3] {
     std::array::from_fn(|axis| {
         Vec4::new(left.min[axis], right.min[axis], left.max[axis], right.max[axis])
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::{BuildConfig, BuildOptions, BuildStages, Quality};
+    use crate::math::Random;
+
+    fn boxes() -> Vec<obvhs::aabb::Aabb> {
+        let mut random = Random::new(&[3]);
+        let mut point = || Vec3A::from_array(std::array::from_fn(|_| random.next_f32()));
+        let pairs = (0..3_000).map(|_| (point(), point()));
+        pairs.map(|(a, b)| obvhs::aabb::Aabb { min: a, max: a + 0.1 * b }).collect()
+    }
+
+    fn tree(boxes: &[obvhs::aabb::Aabb], config: &BuildConfig) -> Bvh2 {
+        binary_tree(boxes, &mut Build { config, grain: 8, stages: &mut BuildStages::default() })
+    }
+
+    #[test]
+    fn without_options_the_tree_is_that_of_obvhs() {
+        let boxes = boxes();
+        for quality in Quality::ALL {
+            for max_leaf in [1, 3, 8] {
+                let own =
+                    tree(&boxes, &BuildConfig { quality, max_leaf, ..BuildConfig::default() });
+                let mut parameters = quality.parameters();
+                parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(max_leaf);
+                let time = &mut std::time::Duration::default();
+                let expected = obvhs::bvh2::builder::build_bvh2(&boxes, parameters, time);
+                assert_eq!(format!("{:?}", own.nodes), format!("{:?}", expected.nodes));
+                assert_eq!(own.primitive_indices, expected.primitive_indices);
+            }
+        }
+    }
+
+    #[test]
+    fn leaves_hold_as_many_as_the_option_allows() {
+        let boxes = boxes();
+        for (text, most) in [("leaf=1", 1), ("leaf=4", 4), ("builder=sah,leaf=20", 20)] {
+            for quality in Quality::ALL {
+                let options = BuildOptions::of::<Bvh>(text).expect("the options are right");
+                let tree =
+                    tree(&boxes, &BuildConfig { quality, options, ..BuildConfig::default() });
+                let leaves = tree.nodes.iter().filter(|node| node.is_leaf());
+                let largest = leaves.map(|leaf| leaf.prim_count).max();
+                assert!(largest <= Some(most), "{text}, {}: {largest:?}", quality.name());
+                assert!(most == 1 || largest > Some(1), "{text}, {}", quality.name());
+            }
+        }
+    }
 }

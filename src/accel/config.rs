@@ -2,6 +2,8 @@
 
 use obvhs::BvhBuildParams;
 
+use super::BuildOptions;
+
 /// How much time a build may take for a better tree: obvhs's presets. `bvh8` takes clustering and
 /// reinsertion from these, and has a builder of its own from [`Quality::Medium`] on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -52,16 +54,18 @@ impl Quality {
 }
 
 /// What the caller chooses of a build.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct BuildConfig {
     /// Time against quality.
     pub quality: Quality,
     /// The most primitives in a leaf, at least 1; structures with a smaller limit keep theirs.
     pub max_leaf: u32,
+    /// Options of the structure's own; those that it does not offer mean nothing to it.
+    pub options: BuildOptions,
 }
 
 impl Default for BuildConfig {
     fn default() -> Self {
-        Self { quality: Quality::default(), max_leaf: 8 }
+        Self { quality: Quality::default(), max_leaf: 8, options: BuildOptions::NONE }
     }
 }

@@ -11,7 +11,7 @@ mod save;
 use std::ops::{ControlFlow, Range};
 
 use glam::{IVec4, Vec3A, Vec4};
-use obvhs::cwbvh::builder::build_cwbvh;
+use obvhs::cwbvh::bvh2_to_cwbvh::bvh2_to_cwbvh;
 use obvhs::cwbvh::node::CwBvhNode;
 use smallvec::SmallVec;
 
@@ -20,7 +20,8 @@ use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, Ray, ones};
 
 use super::build::obvhs_boxes;
-use super::{Accel, Bounded, Build, Built, Order, Tree};
+use super::builder::Builder;
+use super::{Accel, Bounded, Build, Built, OptionInfo, Order, Tree};
 
 const WIDTH: usize = 8;
 
@@ -33,15 +34,27 @@ pub struct CompressedWideBvh {
     nodes: Vec<CwBvhNode>,
 }
 
+/// The most primitives in a leaf that a node can tell of.
+const MOST: u32 = 3;
+
+const BUILDER: OptionInfo = Builder::option("ploc");
+const LEAF: OptionInfo = OptionInfo::leaf(MOST, "3; in the fastest build 1");
+
 impl Accel for CompressedWideBvh {
+    const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
+
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         if primitives.count() == 0 {
             return Built { accel: Self { nodes: Vec::new() }, order: None };
         }
-        let mut parameters = build.config.quality.parameters();
-        parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(build.config.max_leaf);
-        let boxes = obvhs_boxes(primitives);
-        let tree = build_cwbvh(&boxes, parameters, &mut std::time::Duration::default());
+        let Build { config, stages, .. } = build;
+        let usual_leaf = config.quality.parameters().max_prims_per_leaf.min(config.max_leaf);
+        let most = config.options.number(&LEAF).unwrap_or(usual_leaf).clamp(1, MOST);
+        let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Ploc);
+        let boxes = stages.time("boxes", || obvhs_boxes(primitives));
+        // Leaves begin anywhere, so that packs make none of them cheaper.
+        let binary = builder.tree(&boxes, 1, config.quality, stages);
+        let tree = stages.time("collapse", || bvh2_to_cwbvh(&binary, most, true, false));
         let mut nodes = tree.nodes;
         nodes.shrink_to_fit();
         Built { accel: Self { nodes }, order: Some(Order::Permutation(tree.primitive_indices)) }

@@ -13,15 +13,18 @@
 //! | `bvh8/` | a binary tree collapsed to eight children, many rays at once |
 //!
 //! `save/` writes built structures to bytes and reads them back.
+//! Binary trees, which trees of all layouts are made from, are built in `builder/`.
 
 mod ball;
 mod build;
+mod builder;
 mod bvh;
 mod bvh8;
 mod config;
 mod cwbvh;
 mod indexed;
 mod none;
+mod options;
 mod order;
 mod packs;
 mod query;
@@ -46,6 +49,7 @@ pub use config::{BuildConfig, Quality};
 pub use cwbvh::CompressedWideBvh;
 pub use indexed::Indexed;
 pub use none::Exhaustive;
+pub use options::{Allowed, BuildOptions, OptionError, OptionInfo};
 pub use order::Order;
 pub use packs::{NoPacks, PACK, PackHits, Packs};
 pub use query::{AllHits, Answers, AnyHit, ClosestHit, Filtered, Query, Search};
@@ -92,6 +96,9 @@ pub trait Bounded: Sync {
 /// monotone to the bit, so nothing that counts is ever left out, and every structure that keeps
 /// the contract returns the same hits as [`Exhaustive`].
 pub trait Accel: Sized + Send + Sync {
+    /// The options that a build looks for in [`BuildConfig::options`], each of its own name.
+    const OPTIONS: &'static [OptionInfo] = &[];
+
     /// Builds the index. `primitives` may be empty.
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self>;
 

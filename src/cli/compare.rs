@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcom
         tell(note);
     }
     let progress = CompareProgress::start(arguments.quiet, interrupt.clone());
-    let outcome = interrupt.heeded_by(|| compare::run(&plan, &arguments.accel, &progress));
+    let outcome = interrupt.heeded_by(|| compare::run(&plan, &arguments.structures(), &progress));
     drop(progress);
     let mut outcome = outcome.map_err(Failure::new)?;
     outcome.comparison.baseline =

@@ -7,7 +7,7 @@ use clap::Args;
 
 use super::args::{described, named};
 use super::source::is_stdin;
-use super::structures::Structures;
+use super::structures::{StructureList, Structures};
 use super::values::{Size, percent, seconds, sizes, whole};
 use crate::accel::Quality;
 use crate::assets::generate::Kind;
@@ -26,6 +26,7 @@ differ, or --baseline shows a regression; 2 trouble, or the baseline has nothing
 Examples:\n  \
 srt compare scenes/hall.sce\n  \
 srt compare scenes/*.sce --accel bvh,cwbvh --budget 60 --out results/trees\n  \
+srt compare scenes/hall.sce --accel bvh8,bvh8:builder=ploc,leaf=4\n  \
 srt compare --sweep 1k..10M --mesh hall --budget 300\n  \
 srt compare scenes/soft-shadows.sce --sampling-study\n  \
 srt compare scenes/hall.sce --baseline results/old/report.json --fail-above 10%")]
@@ -35,8 +36,8 @@ pub(crate) struct CompareArguments {
     pub(crate) scenes: Vec<PathBuf>,
 
     /// The acceleration structures, with commas between them [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = Structures::default().parser())]
-    pub(crate) accel: Vec<Structure>,
+    #[arg(long, value_name = "NAMES", value_parser = Structures::default().list_parser())]
+    pub(crate) accel: Vec<StructureList>,
 
     /// The classes of rays that are timed, with commas between them [default: view, shadow,
     /// mirror, refraction]
@@ -114,6 +115,13 @@ pub(crate) struct CompareArguments {
     /// Print nothing but errors; the files and the exit code tell
     #[arg(long, short)]
     pub(crate) quiet: bool,
+}
+
+impl CompareArguments {
+    /// All structures that were named.
+    pub(crate) fn structures(&self) -> Vec<Structure> {
+        StructureList::joined(&self.accel)
+    }
 }
 
 /// `srt report`.

@@ -124,9 +124,9 @@ impl RenderOptions {
             max_recursion: self.overrides.max_recursion.unwrap_or(of_scene.max_recursion),
             seed: self.seed,
             view: self.view,
-            count: self.stats.is_some() && !self.structure.yardstick,
+            count: self.stats.is_some() && !self.structure.peer,
         };
-        if self.view == View::Heatmap && self.structure.yardstick {
+        if self.view == View::Heatmap && self.structure.peer {
             let name = self.structure.name;
             return Err(Failure::new(format_args!("`{name}` counts no tests: it has no heatmap")));
         }

@@ -21,7 +21,7 @@ pub(super) fn build_all(entrants: &mut [Entrant<'_>], stage: &Stage<'_>) {
         stage.pools.all.install(|| entrant.build(stage.scene, &stage.plan.build));
         let peak = if anew { peak_resident_bytes() } else { None };
         if let Some(report) = entrant.report() {
-            let known = !entrant.structure.yardstick;
+            let known = !entrant.structure.peer;
             entrant.record.shape = known.then(|| quality::shape(&report, stage.scene));
             entrant.record.build.stages = quality::build_stages(&report);
             entrant.record.memory = Some(quality::memory(&report, peak));

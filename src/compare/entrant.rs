@@ -26,7 +26,7 @@ impl<'a> Entrant<'a> {
     pub(super) fn new(structure: &'a Structure) -> Self {
         let record = StructureRecord {
             name: structure.name.to_owned(),
-            peer: structure.yardstick,
+            peer: structure.peer,
             ..Default::default()
         };
         Self { structure, world: None, record }

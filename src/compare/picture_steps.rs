@@ -19,9 +19,10 @@ pub(crate) fn picture_name(scene: &str) -> String {
     format!("{scene}.png")
 }
 
-/// The file of a structure's heatmap of a scene.
+/// The file of a structure's heatmap of a scene. The marks between a structure's options mean
+/// something else in addresses of pages; dots are in no name of a structure.
 pub(crate) fn heatmap_name(scene: &str, structure: &str) -> String {
-    format!("{scene}-heatmap-{structure}.png")
+    format!("{scene}-heatmap-{}.png", structure.replace([':', ',', '='], "."))
 }
 
 impl Work<'_> {
@@ -59,7 +60,7 @@ impl Work<'_> {
         let Some(proof) = &mut self.outcome.record.proof else { return };
         let named = |name: &str| self.entrants.iter().position(|e| e.structure.name == name);
         let reference = named(&proof.reference).and_then(|i| all[i].clone());
-        let held = self.entrants.iter().zip(all).filter(|(e, _)| !e.structure.yardstick);
+        let held = self.entrants.iter().zip(all).filter(|(e, _)| !e.structure.peer);
         let any = || held.filter_map(|(_, picture)| picture.clone()).next();
         let Some(reference) = reference.or_else(any) else { return };
         let mut differing = Vec::new();
@@ -88,7 +89,7 @@ impl Work<'_> {
         estimates: &[Option<Duration>],
         budget: Budget,
     ) {
-        let held = |i: &usize| !self.entrants[*i].structure.yardstick && !fit.contains(i);
+        let held = |i: &usize| !self.entrants[*i].structure.peer && !fit.contains(i);
         let left: Vec<usize> = (0..self.entrants.len()).filter(held).collect();
         for (done, &index) in left.iter().enumerate() {
             let Some(time) = estimates[index] else { continue };
@@ -136,7 +137,7 @@ impl Work<'_> {
         let mut fit = pictures::that_fit(&estimates, budget.share(0.2).left());
         self.note_missing(&fit, &estimates, "heatmap");
         // Yardsticks count no tests.
-        fit.retain(|&i| !self.entrants[i].structure.yardstick);
+        fit.retain(|&i| !self.entrants[i].structure.peer);
         let (scale, maps) = pictures::heatmaps(&mut self.entrants, &fit, &settings, &self.stage);
         self.outcome.record.heat_scale = scale;
         for (index, picture) in maps {

@@ -215,7 +215,7 @@ fn note(
         trace(tracer, set.query, rays, &mut answers, Some(&mut counts));
         (answers.hit_count(set.query), counts)
     });
-    let tests = counted.filter(|_| !entrant.structure.yardstick).map(|(_, counts)| counts);
+    let tests = counted.filter(|_| !entrant.structure.peer).map(|(_, counts)| counts);
     entrant.record.classes.push(ClassRecord {
         class: set.class,
         rays: rays.len() as u64,

@@ -188,10 +188,11 @@ impl Work<'_> {
             &self.with_builds(&self.estimates(self.samples())),
             picture_steps::picture_budget(budget).left(),
         );
-        let held = |i: &usize| !self.entrants[*i].structure.yardstick;
+        let held = |i: &usize| !self.entrants[*i].structure.peer;
         let none = fit.iter().copied().find(|&i| self.entrants[i].structure.name == "none");
         // A structure of this program rather than one that somebody is trying out.
-        let unknown = |i: &usize| structure_named(self.entrants[*i].structure.name).is_none();
+        let unknown =
+            |i: &usize| structure_named(self.entrants[*i].structure.base_name()).is_none();
         let quick = || fit.iter().copied().filter(held).min_by_key(unknown);
         let is_fit = |i: &usize| held(i) && self.entrants[*i].is_fit();
         // Where no one has time for a picture, the quickest answers most rays.
@@ -213,7 +214,7 @@ impl Work<'_> {
             if (self.stage.cancelled)() {
                 break;
             }
-            if entrant.structure.yardstick {
+            if entrant.structure.peer {
                 peers.extend(agreement::check(entrant, &expected, times, share));
                 continue;
             }
@@ -247,7 +248,7 @@ impl Work<'_> {
         };
         let agreed = |name: &str| proof.structure(name).is_some_and(|own| own.rays_checked > 0);
         let of_srt = |structure: &Structure| {
-            !structure.yardstick && structure_named(structure.name).is_some()
+            !structure.peer && structure_named(structure.base_name()).is_some()
         };
         let witness = (0..self.entrants.len())
             .filter(|&i| i != reference && self.entrants[i].is_fit() && is_quick(&i))

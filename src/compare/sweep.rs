@@ -109,9 +109,9 @@ fn compare_hits(
     times: &[Vec<Option<Duration>>],
     budget: Budget,
 ) -> u64 {
-    let held = |i: &usize| entrants[*i].is_fit() && !entrants[*i].structure.yardstick;
+    let held = |i: &usize| entrants[*i].is_fit() && !entrants[*i].structure.peer;
     let reference = (0..entrants.len()).filter(held).min_by_key(|i| {
-        let known = structure_named(entrants[*i].structure.name).is_some();
+        let known = structure_named(entrants[*i].structure.base_name()).is_some();
         (!known, time_of_all(&times[*i], sets))
     });
     let Some(reference) = reference else { return 0 };
@@ -120,7 +120,7 @@ fn compare_hits(
     let expected = proof::expected(&mut entrants[reference], sets, &times[reference], share);
     let mut checked = 0;
     for (index, entrant) in entrants.iter_mut().enumerate() {
-        if index == reference || entrant.structure.yardstick {
+        if index == reference || entrant.structure.peer {
             continue;
         }
         let mut own = StructureProof::default();
@@ -174,8 +174,7 @@ fn note(record: &mut Sweep, entrant: &Entrant<'_>, triangles: u64) -> bool {
         }
         Status::Stopped => "the comparison was stopped".to_owned(),
     };
-    let failed =
-        matches!(entrant.record.status, Status::Failed { .. }) && !entrant.structure.yardstick;
+    let failed = matches!(entrant.record.status, Status::Failed { .. }) && !entrant.structure.peer;
     record.dropped.push(Dropped { structure: name.to_owned(), triangles, reason, failed });
     false
 }

@@ -1,4 +1,4 @@
-//! Intel's Embree 3 as a yardstick: its triangles, built with high quality and traced in its fast
+//! Intel's Embree 3, to compare with: its triangles, built with high quality and traced in its fast
 //! default mode.
 //!
 //! With `simd` the only layer with unsafe code, all of it calls of Embree's C interface. Knows

@@ -7,8 +7,9 @@
 mod camera;
 mod compile;
 #[cfg(feature = "embree")]
-mod embree_world;
+mod embree;
 mod error;
+mod foreign;
 mod lights;
 mod mesh_rays;
 mod object;
@@ -31,10 +32,11 @@ pub use crate::shapes::EndPointOverlap;
 
 pub use camera::Camera;
 pub use error::{BuildError, SceneError};
+pub use foreign::{ForeignBuild, ForeignBytes, ForeignTracer, TriangleObject};
 pub use lights::Light;
 pub use object::Object;
 pub use object_list::ObjectList;
-pub use structures::{STRUCTURES, Structure, YARDSTICKS, structure_named};
+pub use structures::{PEERS, STRUCTURES, Structure, structure_named};
 pub use surface::Surface;
 use transforms::Transforms;
 pub use world::{BuildReport, TracedWorld, World};

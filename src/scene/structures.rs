@@ -1,23 +1,39 @@
 //! The table of structures: a new one is a file in `accel/` and a line here.
 
-use crate::accel::{Accel, BoundingBall, BuildConfig, Bvh, Bvh8, CompressedWideBvh, Exhaustive};
+use std::sync::{Mutex, PoisonError};
+
+use crate::accel::{
+    Accel, BoundingBall, BuildConfig, BuildOptions, Bvh, Bvh8, CompressedWideBvh, Exhaustive,
+    OptionError, OptionInfo,
+};
 
 #[cfg(feature = "embree")]
-use super::embree_world::EmbreeWorld;
+use super::embree::Embree;
+use super::foreign::{ForeignTracer, ForeignWorld};
 use super::{BuildError, Scene, TracedWorld, World};
 
-/// A structure by name.
+/// A structure by name, with the options that were chosen for it.
 #[derive(Clone, Copy, Debug)]
 pub struct Structure {
-    /// What `--accel` and reports call it.
+    /// What `--accel` and reports call it: with its options, if it has any, as
+    /// `bvh8:builder=ploc,leaf=4`.
     pub name: &'static str,
     /// One line about it.
     pub summary: &'static str,
     /// Whether it is another program's, compared for its speed: its hits are close to those of the
     /// others, not equal, and it counts nothing.
-    pub yardstick: bool,
+    pub peer: bool,
+    /// Its name without options.
+    base_name: &'static str,
+    /// The options that it offers: those of the structure over the triangles, then those of the one
+    /// over the objects.
+    offered: [&'static [OptionInfo]; 2],
+    /// Those that were chosen.
+    options: &'static BuildOptions,
     build: BuildFunction,
 }
+
+const NO_OPTIONS: &BuildOptions = &BuildOptions::NONE;
 
 type BuildFunction = fn(&Scene, &BuildConfig) -> Result<Box<dyn TracedWorld>, BuildError>;
 
@@ -28,22 +44,79 @@ impl Structure {
         name: &'static str,
         summary: &'static str,
     ) -> Self {
-        let build: BuildFunction =
-            |scene, config| Ok(Box::new(World::<O, T>::build(scene, config)));
-        Self { name, summary, yardstick: false, build }
+        Self {
+            name,
+            summary,
+            peer: false,
+            base_name: name,
+            offered: [T::OPTIONS, O::OPTIONS],
+            options: NO_OPTIONS,
+            build: |scene, config| Ok(Box::new(World::<O, T>::build(scene, config))),
+        }
     }
 
-    /// Builds it over a scene.
+    /// Another program's library, as a peer.
+    #[must_use]
+    pub const fn foreign<F: ForeignTracer + 'static>(
+        name: &'static str,
+        summary: &'static str,
+    ) -> Self {
+        Self {
+            name,
+            summary,
+            peer: true,
+            base_name: name,
+            offered: [F::OPTIONS, &[]],
+            options: NO_OPTIONS,
+            build: |scene, config| Ok(Box::new(ForeignWorld::<F>::build(scene, config)?)),
+        }
+    }
+
+    /// Its name without options.
+    #[must_use]
+    pub fn base_name(&self) -> &'static str {
+        self.base_name
+    }
+
+    /// The options that it offers, each name once.
+    pub fn offered_options(&self) -> impl Iterator<Item = &'static OptionInfo> + Clone + use<> {
+        let [of_triangles, of_objects] = self.offered;
+        let is_new = move |info: &&OptionInfo| of_triangles.iter().all(|own| own.name != info.name);
+        of_triangles.iter().chain(of_objects.iter().filter(is_new))
+    }
+
+    /// The structure with options, from text as `builder=ploc,leaf=4`, in place of those that it had.
+    ///
+    /// Its name is then one with its options in the order in which it offers them, and is kept for as
+    /// long as the program runs.
+    ///
+    /// ```
+    /// use srt::scene::structure_named;
+    ///
+    /// let bvh8 = structure_named("bvh8").unwrap();
+    /// let four = bvh8.with_options("leaf=4,builder=ploc").unwrap();
+    /// assert_eq!((four.name, four.base_name()), ("bvh8:builder=ploc,leaf=4", "bvh8"));
+    /// ```
     ///
     /// # Errors
-    /// If a yardstick does not know what the scene is made of. The structures of this crate, and
-    /// those of [`new`](Self::new), take every scene.
+    /// If an option, or its value, is unknown, or is given twice.
+    pub fn with_options(&self, text: &str) -> Result<Self, OptionError> {
+        let options = BuildOptions::read(self.offered_options(), text)?;
+        let Chosen { name, options } = kept(format!("{}:{options}", self.base_name), options);
+        Ok(Self { name, options, ..*self })
+    }
+
+    /// Builds it over a scene. Options of the structure count more than those of `config`.
+    ///
+    /// # Errors
+    /// If a peer does not know what the scene is made of. The structures of this crate, and those of
+    /// [`new`](Self::new), take every scene.
     pub fn try_build(
         &self,
         scene: &Scene,
         config: &BuildConfig,
     ) -> Result<Box<dyn TracedWorld>, BuildError> {
-        (self.build)(scene, config)
+        (self.build)(scene, &self.config(config))
     }
 
     /// Builds it over a scene that it is known to take.
@@ -54,6 +127,29 @@ impl Structure {
     pub fn build(&self, scene: &Scene, config: &BuildConfig) -> Box<dyn TracedWorld> {
         self.try_build(scene, config).unwrap_or_else(|error| panic!("`{}`: {error}", self.name))
     }
+
+    fn config(&self, config: &BuildConfig) -> BuildConfig {
+        BuildConfig { options: self.options.or(&config.options), ..*config }
+    }
+}
+
+/// What was chosen for a structure, and the name of the two.
+struct Chosen {
+    name: String,
+    options: BuildOptions,
+}
+
+/// Keeps a choice for the rest of the program, once, so that a structure is as small and its name as
+/// lasting as one of the table.
+fn kept(name: String, options: BuildOptions) -> &'static Chosen {
+    static ALL: Mutex<Vec<&Chosen>> = Mutex::new(Vec::new());
+    let mut all = ALL.lock().unwrap_or_else(PoisonError::into_inner);
+    let found = all.iter().find(|other| other.name == name && other.options == options).copied();
+    found.unwrap_or_else(|| {
+        let new: &'static Chosen = Box::leak(Box::new(Chosen { name, options }));
+        all.push(new);
+        new
+    })
 }
 
 /// All structures, the simplest first: those that give equal hits.
@@ -72,25 +168,21 @@ pub const STRUCTURES: &[Structure] = &[
 ];
 
 /// What the structures are measured against, where the program was built with it.
-pub const YARDSTICKS: &[Structure] = &[
+pub const PEERS: &[Structure] = &[
     #[cfg(feature = "embree")]
-    Structure {
-        name: "embree",
-        summary: "Intel's Embree, ray by ray: a yardstick, for scenes of triangles",
-        yardstick: true,
-        build: |scene, _| Ok(Box::new(EmbreeWorld::<false>::build(scene)?)),
-    },
+    Structure::foreign::<Embree<false>>(
+        "embree",
+        "Intel's Embree, ray by ray: a peer, for scenes of triangles",
+    ),
     #[cfg(feature = "embree")]
-    Structure {
-        name: "embree16",
-        summary: "Intel's Embree, in packets of 16 rays: a yardstick, for scenes of triangles",
-        yardstick: true,
-        build: |scene, _| Ok(Box::new(EmbreeWorld::<true>::build(scene)?)),
-    },
+    Structure::foreign::<Embree<true>>(
+        "embree16",
+        "Intel's Embree, in packets of 16 rays: a peer, for scenes of triangles",
+    ),
 ];
 
-/// The structure, or the yardstick, of a name.
+/// The structure, or the peer, of a name.
 #[must_use]
 pub fn structure_named(name: &str) -> Option<&'static Structure> {
-    STRUCTURES.iter().chain(YARDSTICKS).find(|structure| structure.name == name)
+    STRUCTURES.iter().chain(PEERS).find(|structure| structure.name == name)
 }

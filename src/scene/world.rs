@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use crate::accel::{
-    Accel, Answers, BuildConfig, BuildStages, Indexed, Scratch, StructureShape, Tracer,
+    Accel, Answers, BuildConfig, BuildStages, Indexed, OptionInfo, Scratch, StructureShape, Tracer,
 };
 use crate::counters::Counts;
 use crate::description::Shape;
@@ -72,7 +72,8 @@ impl<O: Accel, T: Accel> World<O, T> {
             })
             .collect();
         // One object a leaf: an object can be a whole mesh, and a box is cheaper than its ball.
-        let config = BuildConfig { max_leaf: 1, ..*config };
+        let options = config.options.without(OptionInfo::LEAF);
+        let config = BuildConfig { max_leaf: 1, options, ..*config };
         let over_objects = Instant::now();
         let objects = Indexed::build(ObjectList::new(scene, &meshes), &config);
         stages.add("objects", over_objects.elapsed() - objects.check_time());

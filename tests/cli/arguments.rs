@@ -51,6 +51,8 @@ fn help_names_every_option_and_exit_code() {
         "bvh",
         "cwbvh",
         "bvh8",
+        "bvh8:builder=sah|ploc",
+        "cwbvh:leaf=1..3",
         "fastest",
         "slowest",
         "shuffled",
@@ -94,6 +96,10 @@ fn values_are_checked() {
     with("--crop", "1,2,3", &["x0,y0,x1,y1"]);
     with("--crop", "5,0,5,9", &["empty"]);
     with("--accel", "bhv", &["none", "ball", "bvh", "cwbvh"]);
+    with("--accel", "bvh8:builder=plco", &["--accel", "`sah`, `ploc`", "did you mean `ploc`?"]);
+    with("--accel", "bvh8:leaf=9", &["a whole number from 1 to 8"]);
+    with("--accel", "none:leaf=1", &["no option `leaf`"]);
+    with("--accel", "none,bvh", &["'none,bvh'"]);
     with("--build", "slower", &["fastest", "slowest"]);
     with("--threads", "0", &["--threads", "from 1 to 1024"]);
     with("--threads", "x", &["--threads", "expected a whole number from 1 to 1024"]);

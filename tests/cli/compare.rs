@@ -57,6 +57,23 @@ fn a_report_is_written_in_all_its_forms_and_again() {
 }
 
 #[test]
+fn a_structure_takes_part_once_for_each_choice_of_options() {
+    let folder = folder();
+    let names_of = |accel| ["--accel", accel, "--out", "out"];
+    let quick = ["compare", "scene.sce", "--budget", "6", "--rounds", "2", "--threads", "2"];
+    let list = names_of("bvh,bvh:leaf=4,builder=sah,bvh:builder=sah,none");
+    let run = good_run_in(folder.path(), &[&quick[..], &list].concat());
+    let expected = ["bvh", "bvh:builder=sah,leaf=4", "bvh:builder=sah", "none"];
+    let record = json(&folder.path().join("out/report.json"));
+    let names = record["scenes"][0]["structures"].as_array().unwrap().iter();
+    assert!(names.map(|own| own["name"].as_str().unwrap()).eq(expected));
+    assert!(run.stdout.contains("bvh:builder=sah,leaf=4"), "{}", run.stdout);
+    assert!(folder.path().join("out/scene-heatmap-bvh.builder.sah.leaf.4.png").exists());
+    let twice = names_of("bvh:builder=sah,leaf=4,bvh:leaf=4,builder=sah");
+    refused(&[&quick[..], &twice].concat(), &["bvh:builder=sah,leaf=4"]);
+}
+
+#[test]
 fn a_regression_is_named_and_fails() {
     let folder = folder();
     assert_eq!(compare(folder.path(), &["--out", "a"]).code, 0);

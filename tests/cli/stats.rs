@@ -37,6 +37,13 @@ fn figures_add_up() {
 }
 
 #[test]
+fn options_are_named_as_they_were_applied() {
+    let name = |accel: &str| figures(&["--accel", accel])["structure"]["name"].clone();
+    assert_eq!(name("bvh8:leaf=2,builder=ploc"), "bvh8:builder=ploc,leaf=2");
+    assert_eq!(name("cwbvh:leaf=1"), "cwbvh:leaf=1");
+}
+
+#[test]
 fn the_structure_adds_up() {
     let structure = &figures(&["--build", "fast"])["structure"];
     assert_eq!(structure["name"], "bvh8");

@@ -1,14 +1,13 @@
 //! A tree of eight children a node, with kernels that trace many rays at once.
 //!
-//! A binary tree with a primitive in each leaf (`binary.rs`) is collapsed at the least cost
-//! (`plan.rs`, `collapse.rs`). Slices of rays go down it in packets as long as they are coherent
+//! A binary tree (`builder/`) is collapsed at the least cost (`plan.rs`, `collapse.rs`). Quick builds
+//! cluster it. All others go from the top down: that takes a little longer, and a ray then costs less
+//! than in the trees of obvhs's slowest build. Slices of rays go down it in packets as long as they are coherent
 //! (`packet.rs`) and in waves where they are not (`wave.rs`), which `kernels.rs` decides; where
 //! primitives are not tested in packs, a stream of rays is brought to each node and to each primitive
 //! that any of them meets (`stream.rs`). A single ray is walked by [`Accel::traverse`]. So are the
 //! rays that the kernels' terms cannot take, and those of queries that want every hit.
 
-mod binary;
-mod binned;
 mod collapse;
 mod diverged;
 mod kernels;
@@ -29,15 +28,15 @@ use crate::counters::Counters;
 use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, Ray};
 
-use self::binary::binary_tree;
 use self::collapse::{Leaves, collapse};
 use self::node::{Child, FAR, Node, WIDTH, near_planes, order_shift};
 use self::plan::Plan;
 use self::slab_ray::Sides;
 use super::build::obvhs_boxes;
+use super::builder::Builder;
 use super::{
-    Accel, Bounded, Build, Built, Order, PACK, Packs, Primitives, Query, Scratch, Search, Tree,
-    search_one,
+    Accel, Bounded, Build, Built, OptionInfo, Order, PACK, Packs, Primitives, Quality, Query,
+    Scratch, Search, Tree, search_one,
 };
 
 /// The stack lives with the call up to this height, and on the heap beyond.
@@ -58,11 +57,16 @@ pub struct Bvh8 {
     need: usize,
 }
 
+const BUILDER: OptionInfo = Builder::option("sah; in fast and fastest builds ploc");
+const LEAF: OptionInfo = OptionInfo::leaf(WIDTH as u32, "8");
+
 impl Accel for Bvh8 {
+    const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
+
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         let Build { config, grain, stages } = build;
         let leaves = Leaves {
-            most: config.max_leaf.clamp(1, WIDTH as u32),
+            most: config.options.number(&LEAF).unwrap_or(config.max_leaf).clamp(1, WIDTH as u32),
             block: if *grain > 1 { PACK } else { 1 },
         };
         if primitives.count() == 0 {
@@ -70,7 +74,11 @@ impl Accel for Bvh8 {
             return Built { accel, order: None };
         }
         let boxes = stages.time("boxes", || obvhs_boxes(primitives));
-        let tree = binary_tree(&boxes, leaves, config.quality, stages);
+        let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(match config.quality {
+            Quality::Fastest | Quality::Fast => Builder::Ploc,
+            Quality::Medium | Quality::Slow | Quality::Slowest => Builder::Sah,
+        });
+        let tree = builder.tree(&boxes, leaves.block as u32, config.quality, stages);
         let plan = stages.time("plan", || Plan::new(&tree, leaves));
         let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
         let need = stack_need(&wide.nodes);

@@ -24,8 +24,8 @@ const USUAL_DEPTH: u32 = 96;
 /// parallel.
 const PARALLEL: usize = 1 << 13;
 
-/// Builds a tree over at least one box, for leaves in which so many primitives, a power of two, cost as much as
-/// one.
+/// Builds a tree over at least one box, for leaves in which so many primitives, a power of two, cost
+/// as much as one.
 pub(super) fn build(boxes: &[Aabb], pack: u32) -> Bvh2 {
     let mut references: Vec<_> =
         boxes.par_iter().enumerate().map(|(index, bounds)| Reference::new(index, bounds)).collect();
