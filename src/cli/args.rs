@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
-use super::compare_args::{CompareArguments, ReportArguments};
+use super::compare_args::{CompareArguments, ConformanceArguments, ReportArguments};
 use super::exit::EXIT_CODES;
 use super::render_args::RenderArguments;
 use super::values;
@@ -21,6 +21,7 @@ Examples:
   srt scene.sce - --format png | display -         to a pipe
   sed 's/^nx .*/nx 99/' scene.sce | srt - a.png    from one
   srt compare scenes/hall.sce                      which structure is how fast, as a report
+  srt conformance --accel bvh8:leaf=4              whether its hits are those of no structure
   srt check scenes/*.sce                           validate without rendering
   srt diff old.png new.png -o difference.png       compare two pictures
 
@@ -59,6 +60,8 @@ pub(crate) enum Command {
     Check(CheckArguments),
     /// Compare acceleration structures, prove their answers equal, and write a report
     Compare(CompareArguments),
+    /// Check that acceleration structures give equal hits, bit for bit
+    Conformance(ConformanceArguments),
     /// Write the report of a comparison again, from its report.json
     Report(ReportArguments),
     /// Compare two pictures

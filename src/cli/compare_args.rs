@@ -1,4 +1,4 @@
-//! What is typed for `srt compare` and `srt report`.
+//! What is typed for `srt compare`, `srt conformance` and `srt report`.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -118,6 +118,32 @@ pub(crate) struct CompareArguments {
 }
 
 impl CompareArguments {
+    /// All structures that were named.
+    pub(crate) fn structures(&self) -> Vec<Structure> {
+        StructureList::joined(&self.accel)
+    }
+}
+
+/// `srt conformance`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The hits of each structure over awkward meshes are compared with those of no structure at all, for\n\
+rays that are made to tell them apart. The first ray whose hits differ is printed.\n\n\
+Exit codes: 0 all hits are equal, 1 a structure's hits differ or it failed, 2 trouble.\n\n\
+Examples:\n  \
+srt conformance\n  \
+srt conformance --accel bvh8:builder=ploc,leaf=4,bvh")]
+pub(crate) struct ConformanceArguments {
+    /// The acceleration structures, with commas between them [default: all]
+    #[arg(long, value_name = "NAMES", value_parser = Structures::default().list_parser())]
+    pub(crate) accel: Vec<StructureList>,
+
+    /// Print nothing but differences and errors
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+}
+
+impl ConformanceArguments {
     /// All structures that were named.
     pub(crate) fn structures(&self) -> Vec<Structure> {
         StructureList::joined(&self.accel)

@@ -8,8 +8,8 @@ use super::terminal::tell_error;
 pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
   0    done; for `diff`: equal; for `check`: all scenes are valid
-  1    `diff`: the pictures differ; `check`: a scene is invalid; `compare`: a structure's answers
-       differ or it failed, or something became slower than the baseline
+  1    `diff`: the pictures differ; `check`: a scene is invalid; `compare`, `conformance`: a
+       structure's answers differ or it failed; `compare`: something became slower than the baseline
   2    trouble: bad arguments, a scene or file that cannot be read, an output that cannot be written;
        `compare`: the baseline has nothing in common
   130  interrupted by Ctrl-C

@@ -80,6 +80,7 @@ mod tests {
             "srt.1",
             "srt-check.1",
             "srt-compare.1",
+            "srt-conformance.1",
             "srt-report.1",
             "srt-diff.1",
             "srt-mesh.1",

@@ -8,7 +8,7 @@
 //! | `args.rs`, `render_args.rs`, `compare_args.rs`, `values.rs` | what was typed |
 //! | `structures.rs` | what `--accel` may name |
 //! | `options.rs` | what was validated |
-//! | `render.rs`, `compare.rs`, `report.rs`, `check.rs`, `diff.rs`, `mesh.rs`, `completions.rs`, `man.rs` | the subcommands |
+//! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `check.rs`, `diff.rs`, `mesh.rs`, `completions.rs`, `man.rs` | the subcommands |
 //! | `output/` | where results go, whole or not at all |
 //! | `result_folder.rs`, `fingerprint.rs` | the files of a comparison; what scenes are told apart by |
 //! | `terminal.rs`, `interrupt.rs`, `progress.rs`, `compare_progress.rs` | the terminal |
@@ -23,6 +23,7 @@ mod compare;
 mod compare_args;
 mod compare_progress;
 mod completions;
+mod conformance;
 mod diagnose;
 mod diff;
 mod document;
@@ -66,7 +67,7 @@ pub fn run() -> ExitCode {
 }
 
 /// Runs the command with structures of one's own beside the library's: `--accel` takes their names
-/// where it renders, draws heatmaps and compares. This is a whole `main.rs`:
+/// where it renders, draws heatmaps, compares and checks for equal hits. This is a whole `main.rs`:
 ///
 /// ```no_run
 /// # use srt::accel::{Bvh, Bvh as Grid};
@@ -91,6 +92,7 @@ fn dispatch(structures: &Structures) -> Outcome {
         None => render::run(arguments.render, &interrupt),
         Some(Command::Check(check)) => check::run(&check),
         Some(Command::Compare(compare)) => compare::run(&compare, &interrupt),
+        Some(Command::Conformance(check)) => conformance::run(&check),
         Some(Command::Report(report)) => report::run(&report),
         Some(Command::Diff(diff)) => diff::run(&diff),
         Some(Command::Mesh(mesh)) => mesh::run(&mesh),

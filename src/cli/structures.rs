@@ -56,6 +56,7 @@ impl Structures {
         Arguments::command()
             .mut_arg("accel", |arg| self.explained_in(arg.value_parser(self.parser())))
             .mut_subcommand("compare", |compare| compare.mut_arg("accel", list))
+            .mut_subcommand("conformance", |check| check.mut_arg("accel", list))
     }
 
     /// The argument, with the options of all structures in its long help.
@@ -88,10 +89,13 @@ impl Structures {
         let matches = self.command().try_get_matches();
         let read = matches.and_then(|mut matches| Arguments::from_arg_matches_mut(&mut matches));
         let mut arguments = read.unwrap_or_else(|error| self.explained(error).exit());
-        if let Some(args::Command::Compare(compare)) = &mut arguments.command
-            && compare.accel.is_empty()
-        {
-            compare.accel = vec![self.own()];
+        let named = match &mut arguments.command {
+            Some(args::Command::Compare(compare)) => Some(&mut compare.accel),
+            Some(args::Command::Conformance(check)) => Some(&mut check.accel),
+            _ => None,
+        };
+        if let Some(named) = named.filter(|named| named.is_empty()) {
+            *named = vec![self.own()];
         }
         arguments
     }
@@ -305,7 +309,7 @@ mod tests {
             ("bvh8:leaf", &["`leaf` is not an option with its value"]),
             ("none:leaf=1", &["no option `leaf`", "has none"]),
             ("bvh8:leaf=1,leaf=2", &["`leaf` is given twice"]),
-            ("", &["''"]),
+            ("", &["a value is required", "none"]),
         ] {
             let text = error(list);
             assert!(parts.iter().all(|part| text.contains(part)), "{list}: {text}");

@@ -82,6 +82,7 @@ mod sweep;
 
 use rayon::ThreadPool;
 
+pub(crate) use guard::guarded;
 pub use observer::{Observer, Silent};
 pub(crate) use picture_steps::{heatmap_name, picture_name};
 pub use plan::{PictureOptions, Plan, SceneInput, SweepPlan};

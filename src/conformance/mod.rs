@@ -15,14 +15,17 @@
 pub mod adversarial_rays;
 pub mod axis_grids;
 pub mod nasty_meshes;
+mod one_by_one;
 
 use std::fmt;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use glam::Vec3;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use crate::accel::{
-    Accel, AnyHit, BuildConfig, ClosestHit, Exhaustive, Indexed, Quality, Query, Scratch,
+    Accel, AnyHit, BuildConfig, BuildOptions, ClosestHit, Exhaustive, Indexed, Primitives, Quality,
+    Query, Scratch,
 };
 use crate::counters::{Counts, NoCounters};
 use crate::math::{Hit, Ray};
@@ -31,6 +34,7 @@ use crate::shapes::TriangleSet;
 use adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
 use axis_grids::grids_over;
 use nasty_meshes::Mesh;
+use one_by_one::OneByOne;
 
 /// Rays that are aimed at each mesh in each place; about as many again are made of them.
 const RAYS: usize = 2_000;
@@ -100,15 +104,77 @@ pub enum Way {
 /// # Panics
 /// Where the structure does.
 pub fn check<A: Accel>() -> Result<Summary, FirstDifference> {
+    check_with::<A>(&BuildOptions::NONE, &|_, _| ())
+}
+
+/// [`check`] of a structure as it is built with options. `progress` is called with how many parts of
+/// the work are done, and of how many; from several threads, not always in order.
+///
+/// # Errors
+/// As of [`check`].
+///
+/// # Panics
+/// Where the structure does.
+pub fn check_with<A: Accel>(
+    options: &BuildOptions,
+    progress: &Progress,
+) -> Result<Summary, FirstDifference> {
+    check_over::<TriangleSet, A>(options, progress)
+}
+
+/// [`check_with`], where triangles are tested one by one, as the objects of a scene are, and not in
+/// packs.
+///
+/// # Errors
+/// As of [`check`].
+///
+/// # Panics
+/// Where the structure does.
+pub fn check_one_by_one<A: Accel>(
+    options: &BuildOptions,
+    progress: &Progress,
+) -> Result<Summary, FirstDifference> {
+    check_over::<OneByOne, A>(options, progress)
+}
+
+/// Is called with how many parts of a check are done, and of how many.
+pub type Progress<'a> = dyn Fn(usize, usize) + Sync + 'a;
+
+/// Triangles, in packs or one by one.
+trait Triangles: Primitives {
+    fn of(mesh: &Mesh) -> Self;
+}
+
+impl Triangles for TriangleSet {
+    fn of(mesh: &Mesh) -> Self {
+        Self::new(&mesh.positions, &mesh.triangles)
+    }
+}
+
+impl Triangles for OneByOne {
+    fn of(mesh: &Mesh) -> Self {
+        Self(TriangleSet::of(mesh))
+    }
+}
+
+fn check_over<P: Triangles, A: Accel>(
+    options: &BuildOptions,
+    progress: &Progress,
+) -> Result<Summary, FirstDifference> {
     let mut meshes = nasty_meshes::all();
     meshes.push(nasty_meshes::empty("empty"));
     let cases: Vec<(&Mesh, f32, Vec3)> = meshes
         .iter()
         .flat_map(|mesh| PLACES.map(|(scale, offset)| (mesh, scale, offset)))
         .collect();
+    let done = AtomicUsize::new(0);
     let results: Vec<_> = cases
         .par_iter()
-        .map(|&(mesh, scale, offset)| check_in_place::<A>(mesh, scale, offset))
+        .map(|&(mesh, scale, offset)| {
+            let result = check_in_place::<P, A>(mesh, (scale, offset), options);
+            progress(done.fetch_add(1, Ordering::Relaxed) + 1, cases.len());
+            result
+        })
         .collect();
     let mut summary = Summary { meshes: meshes.len(), ..Summary::default() };
     for result in results {
@@ -120,13 +186,13 @@ pub fn check<A: Accel>() -> Result<Summary, FirstDifference> {
 }
 
 /// Compares on one mesh in one place: how many rays, and how many hits.
-fn check_in_place<A: Accel>(
+fn check_in_place<P: Triangles, A: Accel>(
     mesh: &Mesh,
-    scale: f32,
-    offset: Vec3,
+    (scale, offset): (f32, Vec3),
+    options: &BuildOptions,
 ) -> Result<(usize, usize), FirstDifference> {
     let moved = mesh.moved(scale, offset);
-    let none = indexed::<Exhaustive>(&moved, Quality::Medium);
+    let none = indexed::<TriangleSet, Exhaustive>(&moved, Quality::Medium, &BuildOptions::NONE);
     // Even where there is nothing, rays are aimed at something.
     let target = if mesh.triangles.is_empty() { nasty_meshes::single() } else { moved.clone() };
     let aimed_at = rays_at(&target, RAYS, 99);
@@ -144,7 +210,7 @@ fn check_in_place<A: Accel>(
         _ => &[Quality::Medium],
     };
     for &quality in qualities {
-        let own = indexed::<A>(&moved, quality);
+        let own = indexed::<P, A>(&moved, quality, options);
         for way in [Way::Slice, Way::Counted, Way::Alone] {
             let got = answers(&own, &rays, way);
             if let Some(i) = (0..rays.len()).find(|&i| !got[i].same_bits(&expected[i])) {
@@ -166,12 +232,16 @@ fn check_in_place<A: Accel>(
     Ok((rays.len(), expected.iter().filter(|answer| answer.hit.is_hit()).count()))
 }
 
-fn indexed<A: Accel>(mesh: &Mesh, quality: Quality) -> Indexed<TriangleSet, A> {
-    let config = BuildConfig { quality, ..BuildConfig::default() };
-    Indexed::build(TriangleSet::new(&mesh.positions, &mesh.triangles), &config)
+fn indexed<P: Triangles, A: Accel>(
+    mesh: &Mesh,
+    quality: Quality,
+    options: &BuildOptions,
+) -> Indexed<P, A> {
+    let config = BuildConfig { quality, options: options.clone(), ..BuildConfig::default() };
+    Indexed::build(P::of(mesh), &config)
 }
 
-fn answers<A: Accel>(index: &Indexed<TriangleSet, A>, rays: &[Ray], way: Way) -> Vec<Answer> {
+fn answers<P: Primitives, A: Accel>(index: &Indexed<P, A>, rays: &[Ray], way: Way) -> Vec<Answer> {
     if way == Way::Alone {
         let alone = |ray| Answer { hit: index.hit(ray), blocked: index.occluded(ray) };
         return rays.iter().map(alone).collect();
@@ -181,8 +251,8 @@ fn answers<A: Accel>(index: &Indexed<TriangleSet, A>, rays: &[Ray], way: Way) ->
     hits.into_iter().zip(blocked).map(|(hit, blocked)| Answer { hit, blocked }).collect()
 }
 
-fn of_slice<A: Accel, Q: Query>(
-    index: &Indexed<TriangleSet, A>,
+fn of_slice<P: Primitives, A: Accel, Q: Query>(
+    index: &Indexed<P, A>,
     query: Q,
     rays: &[Ray],
     way: Way,
@@ -298,15 +368,24 @@ mod tests {
         let meshes = nasty_meshes::all();
         let mesh = meshes.iter().find(|mesh| mesh.name == difference.mesh).unwrap();
         let moved = mesh.moved(difference.scale, difference.offset);
-        let again = indexed::<Exclusive>(&moved, difference.quality);
+        let again =
+            indexed::<TriangleSet, Exclusive>(&moved, difference.quality, &BuildOptions::NONE);
         let answer = answers(&again, &[difference.ray], difference.way)[0];
         assert!(answer.same_bits(&difference.got));
     }
 
     #[test]
-    fn none_is_itself() {
-        let summary = check::<Exhaustive>().unwrap();
+    fn none_is_itself_one_by_one_too() {
+        let (parts, last) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let progress = |done, of| {
+            parts.fetch_add(1, Ordering::Relaxed);
+            if done == of {
+                last.store(of, Ordering::Relaxed);
+            }
+        };
+        let summary = check_one_by_one::<Exhaustive>(&BuildOptions::NONE, &progress).unwrap();
         assert_eq!(summary.meshes, 7);
         assert!(summary.hits > summary.rays / 10, "{summary}");
+        assert_eq!((parts.into_inner(), last.into_inner()), (28, 28));
     }
 }

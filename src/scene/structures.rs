@@ -1,11 +1,14 @@
 //! The table of structures: a new one is a file in `accel/` and a line here.
 
+use std::any::TypeId;
 use std::sync::{Mutex, PoisonError};
 
 use crate::accel::{
     Accel, BoundingBall, BuildConfig, BuildOptions, Bvh, Bvh8, CompressedWideBvh, Exhaustive,
-    OptionError, OptionInfo,
+    Indexed, OptionError, OptionInfo, Tracer,
 };
+use crate::conformance::{self, FirstDifference, Progress, Summary};
+use crate::shapes::TriangleSet;
 
 #[cfg(feature = "embree")]
 use super::embree::Embree;
@@ -31,6 +34,15 @@ pub struct Structure {
     /// Those that were chosen.
     options: &'static BuildOptions,
     build: BuildFunction,
+    /// What structures that give equal hits can do beside; none for peers.
+    equal: Option<EqualHits>,
+}
+
+/// What can be done with a structure that gives equal hits.
+#[derive(Clone, Copy, Debug)]
+struct EqualHits {
+    index: fn(TriangleSet, &BuildConfig) -> Box<dyn Tracer>,
+    check: fn(&BuildOptions, &Progress) -> Result<Summary, FirstDifference>,
 }
 
 const NO_OPTIONS: &BuildOptions = &BuildOptions::NONE;
@@ -52,6 +64,10 @@ impl Structure {
             offered: [T::OPTIONS, O::OPTIONS],
             options: NO_OPTIONS,
             build: |scene, config| Ok(Box::new(World::<O, T>::build(scene, config))),
+            equal: Some(EqualHits {
+                index: |triangles, config| Box::new(Indexed::<_, T>::build(triangles, config)),
+                check: check::<O, T>,
+            }),
         }
     }
 
@@ -69,6 +85,7 @@ impl Structure {
             offered: [F::OPTIONS, &[]],
             options: NO_OPTIONS,
             build: |scene, config| Ok(Box::new(ForeignWorld::<F>::build(scene, config)?)),
+            equal: None,
         }
     }
 
@@ -128,9 +145,41 @@ impl Structure {
         self.try_build(scene, config).unwrap_or_else(|error| panic!("`{}`: {error}", self.name))
     }
 
+    /// Builds it over the triangles of one mesh, without a scene; hits name object 0. `None` for a
+    /// peer.
+    #[must_use]
+    pub fn index(&self, triangles: TriangleSet, config: &BuildConfig) -> Option<Box<dyn Tracer>> {
+        self.equal.map(|equal| (equal.index)(triangles, &self.config(config)))
+    }
+
+    /// Checks that it gives equal hits, as it is built with its options: see [`conformance`]. `None`
+    /// for a peer, which need not.
+    #[must_use]
+    pub fn check(&self, progress: &Progress) -> Option<Result<Summary, FirstDifference>> {
+        self.equal.map(|equal| (equal.check)(self.options, progress))
+    }
+
     fn config(&self, config: &BuildConfig) -> BuildConfig {
         BuildConfig { options: self.options.or(&config.options), ..*config }
     }
+}
+
+/// Checks a structure over triangles in packs, and the one over objects as over triangles that are
+/// tested one by one. No structure at all is what the others are compared with.
+fn check<O: Accel + 'static, T: Accel + 'static>(
+    options: &BuildOptions,
+    progress: &Progress,
+) -> Result<Summary, FirstDifference> {
+    let of_triangles = conformance::check_with::<T>(options, progress)?;
+    if TypeId::of::<O>() == TypeId::of::<Exhaustive>() {
+        return Ok(of_triangles);
+    }
+    let of_objects = conformance::check_one_by_one::<O>(options, progress)?;
+    Ok(Summary {
+        rays: of_triangles.rays + of_objects.rays,
+        hits: of_triangles.hits + of_objects.hits,
+        ..of_triangles
+    })
 }
 
 /// What was chosen for a structure, and the name of the two.

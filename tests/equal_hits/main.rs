@@ -11,13 +11,14 @@ mod scenes;
 use glam::Vec3;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use srt::accel::{
-    Accel, Answers, BoundingBall, BuildConfig, Bvh, Bvh8, CompressedWideBvh, Exhaustive, Indexed,
-    Quality, Scratch, Tracer,
+    Accel, Allowed, Answers, BuildConfig, Bvh8, Exhaustive, Indexed, OptionInfo, Quality, Scratch,
+    Tracer,
 };
 use srt::conformance::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
 use srt::conformance::axis_grids::grids_over;
 use srt::conformance::nasty_meshes::{self, Mesh};
 use srt::math::{Hit, Ray};
+use srt::scene::{STRUCTURES, Structure};
 use srt::shapes::TriangleSet;
 
 /// The answers of a structure.
@@ -49,17 +50,21 @@ fn indexed<A: Accel>(mesh: &Mesh, quality: Quality) -> Indexed<TriangleSet, A> {
     Indexed::build(TriangleSet::new(&mesh.positions, &mesh.triangles), &config)
 }
 
-/// Structures to be compared with `none`, by name.
+/// All structures of the table but the first, which is `none`, over a mesh, by name.
 fn structures(mesh: &Mesh, qualities: &[Quality]) -> Vec<(String, Box<dyn Tracer>)> {
-    let ball: Box<dyn Tracer> = Box::new(indexed::<BoundingBall>(mesh, Quality::Medium));
-    let trees = qualities.iter().flat_map(|&q| -> [(String, Box<dyn Tracer>); 3] {
-        [
-            (format!("bvh {}", q.name()), Box::new(indexed::<Bvh>(mesh, q))),
-            (format!("cwbvh {}", q.name()), Box::new(indexed::<CompressedWideBvh>(mesh, q))),
-            (format!("bvh8 {}", q.name()), Box::new(indexed::<Bvh8>(mesh, q))),
-        ]
-    });
-    std::iter::once(("ball".to_owned(), ball)).chain(trees).collect()
+    let (none, others) = STRUCTURES.split_first().unwrap();
+    assert_eq!(none.name, "none");
+    let of = |structure: &Structure, quality: Quality| {
+        (format!("{} {}", structure.name, quality.name()), over(structure, mesh, quality))
+    };
+    others.iter().flat_map(|one| qualities.iter().map(move |&quality| of(one, quality))).collect()
+}
+
+/// A structure of the table over a mesh.
+fn over(structure: &Structure, mesh: &Mesh, quality: Quality) -> Box<dyn Tracer> {
+    let config = BuildConfig { quality, ..BuildConfig::default() };
+    let triangles = TriangleSet::new(&mesh.positions, &mesh.triangles);
+    structure.index(triangles, &config).expect("the table has no peers")
 }
 
 /// Compares all structures with `none` on one mesh; returns how many rays were compared.
@@ -208,16 +213,55 @@ fn a_tree_too_deep_for_the_stacks_of_the_kernels() {
 
 #[test]
 fn an_empty_mesh_is_never_hit() {
-    let mesh = Mesh { name: "empty", positions: vec![], triangles: vec![] };
+    let mesh = nasty_meshes::empty("empty");
     let rays = [Ray::new(Vec3::ZERO, Vec3::X)];
-    let tracers: [Box<dyn Tracer>; 5] = [
-        Box::new(indexed::<Exhaustive>(&mesh, Quality::Medium)),
-        Box::new(indexed::<BoundingBall>(&mesh, Quality::Medium)),
-        Box::new(indexed::<Bvh>(&mesh, Quality::Medium)),
-        Box::new(indexed::<CompressedWideBvh>(&mesh, Quality::Medium)),
-        Box::new(indexed::<Bvh8>(&mesh, Quality::Medium)),
-    ];
-    for tracer in tracers {
+    for structure in STRUCTURES {
+        let tracer = over(structure, &mesh, Quality::Medium);
         assert_eq!(trace(tracer.as_ref(), &rays), (vec![Hit::MISS], vec![false]));
     }
+}
+
+/// All values of an option that has few; of a number, the ends and some between.
+fn values(option: &OptionInfo) -> Vec<String> {
+    match option.allowed {
+        Allowed::Words(words) => words.iter().map(|word| (*word).to_owned()).collect(),
+        Allowed::Numbers(least, most) => {
+            let mut some = vec![least, least + 1, least.midpoint(most), most];
+            some.dedup();
+            some.iter().map(ToString::to_string).collect()
+        }
+    }
+}
+
+/// The structure with every value of each option, and with every pair of values of two.
+fn with_options(structure: &Structure) -> Vec<Structure> {
+    let given: Vec<Vec<String>> = structure
+        .offered_options()
+        .map(|option| values(option).iter().map(|v| format!("{}={v}", option.name)).collect())
+        .collect();
+    let mut texts: Vec<String> = given.concat();
+    for (i, one) in given.iter().enumerate() {
+        for other in &given[i + 1..] {
+            texts.extend(one.iter().flat_map(|a| other.iter().map(move |b| format!("{a},{b}"))));
+        }
+    }
+    texts.iter().map(|text| structure.with_options(text).unwrap()).collect()
+}
+
+#[test]
+fn options_change_no_hit() {
+    let meshes = [nasty_meshes::lattice(), nasty_meshes::soup(), nasty_meshes::single()];
+    let chosen: Vec<Structure> = STRUCTURES.iter().flat_map(with_options).collect();
+    assert!(chosen.len() > 30, "only {} choices", chosen.len());
+    meshes.par_iter().for_each(|mesh| {
+        let rays = rays_at(mesh, 1_500, 31);
+        let none = indexed::<Exhaustive>(mesh, Quality::Medium);
+        let expected = trace(&none, &rays);
+        for structure in &chosen {
+            for quality in [Quality::Fastest, Quality::Medium, Quality::Slowest] {
+                let what = format!("{}: {} {}", mesh.name, structure.name, quality.name());
+                assert_equal(&what, over(structure, mesh, quality).as_ref(), &rays, &expected);
+            }
+        }
+    });
 }

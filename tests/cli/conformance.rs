@@ -1,0 +1,26 @@
+//! `srt conformance`: a line a structure, exit codes, refusals.
+
+use std::path::Path;
+
+use crate::support::{Run, refused, run_in};
+
+#[test]
+fn a_structure_that_gives_equal_hits_has_a_line_that_says_so() {
+    let typed = ["conformance", "--accel", "ball,bvh:builder=sah,leaf=20"];
+    let Run { code, stdout, stderr } = run_in(Path::new("."), &typed);
+    assert_eq!((code, stderr.as_str()), (0, ""), "{stdout}");
+    let lines: Vec<&str> = stdout.lines().collect();
+    assert!(lines[0].starts_with("ball: ") && lines[1].starts_with("bvh:builder=sah,leaf=20: "));
+    for line in &lines {
+        assert!(line.contains(" rays at 6 meshes, ") && line.ends_with("all answers are equal"));
+    }
+    assert_eq!(lines.len(), 2, "{stdout}");
+}
+
+#[test]
+fn what_is_no_structure_is_refused() {
+    refused(&["conformance", "--accel", "bhv"], &["'bhv'", "cwbvh"]);
+    refused(&["conformance", "scene.sce"], &["unexpected argument 'scene.sce'"]);
+    #[cfg(feature = "embree")]
+    refused(&["conformance", "--accel", "embree"], &["`embree` is another program's"]);
+}
