@@ -23,8 +23,8 @@ const ALWAYS: [&str; 8] = [
      costs each structure some speed, and some structures more than others.",
     "Break-even points hold for rays like the picture's mean ray. Other views and lights have other \
      break-even points.",
-    "The structures were written or adapted by the authors of this program, who know some of them \
-     better than others.",
+    "The structures were written or adapted by the authors of this program, who may know some of \
+     them better than others.",
 ];
 
 /// General limits first, then those of this record.

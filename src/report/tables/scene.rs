@@ -18,19 +18,18 @@ pub(in crate::report) fn proof_table(proof: &Proof) -> Table {
         "#Rays checked",
         "#Differing hits",
     ];
-    let mut table = Table::new("Proof", "", &heads);
-    table.rows = proof.structures.iter().map(|entry| proof_row(entry, &proof.reference)).collect();
-    if let Some(witness) = &proof.witness {
-        let reference = &proof.reference;
-        table.note = format!(
+    let reference = &proof.reference;
+    let witness_note = proof.witness.as_ref().map(|witness| {
+        format!(
             "{reference} had time for some of the rays only, and {witness} agrees with it on all of \
-             them. The other structures were compared with {witness}. "
-        );
-    }
-    if !proof.peers.is_empty() {
-        table.note += PEER_NOTE;
-        table.rows.extend(proof.peers.iter().map(peer_row));
-    }
+             them. The other structures were compared with {witness}."
+        )
+    });
+    let peer_note = (!proof.peers.is_empty()).then(|| PEER_NOTE.to_owned());
+    let notes: Vec<String> = witness_note.into_iter().chain(peer_note).collect();
+    let mut table = Table::new("Proof", notes.join(" "), &heads);
+    table.rows = proof.structures.iter().map(|entry| proof_row(entry, reference)).collect();
+    table.rows.extend(proof.peers.iter().map(peer_row));
     table
 }
 
