@@ -14,7 +14,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use srt::accel::Bvh;
-use srt::assets::generate::{Kind, generate};
+use srt::assets::generate::{MeshKind, generate};
 use srt::compare::{Plan, SceneInput, Silent, run};
 use srt::conformance;
 use srt::report::Report;
@@ -44,7 +44,7 @@ end
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     println!("{}", conformance::check::<Grid>()?);
     let parsed = parse(SCENE, &ParseOptions::default()).map_err(|errors| format!("{errors:?}"))?;
-    let knot = Arc::new(generate(Kind::TorusKnot, 20_000, 0));
+    let knot = Arc::new(generate(MeshKind::TorusKnot, 20_000, 0));
     let scene = Scene::new(&parsed.description, vec![knot])
         .map_err(|errors| errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))?;
     let input = SceneInput {

@@ -2,7 +2,7 @@
 //!
 //! Made by [`scene_file`](crate::scene_file) or by hand; turned into what is traced by
 //! [`scene`](crate::scene). Lengths are in the scene's own unit, angles in degrees as written,
-//! colours linear. Every number here is finite, and within the bounds its field names.
+//! colours linear. Every number is finite as written, and within the bounds that its field states.
 
 use std::ops::Range;
 
@@ -14,12 +14,12 @@ use crate::shapes::Single;
 /// The bytes of the scene's text that an entity was read from. Empty for entities made by hand.
 pub type Span = Range<usize>;
 
-/// Everything a scene file says.
+/// The contents of a scene file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneDescription {
     /// How the scene is seen.
     pub camera: Camera,
-    /// How it is rendered, unless the command line says otherwise.
+    /// How it is rendered, unless the command line overrides it.
     pub options: Options,
     /// The materials that objects refer to, each different from all before it.
     pub materials: Vec<Material>,
@@ -82,7 +82,7 @@ impl Options {
     pub const MAX_AA: u32 = 256;
 }
 
-/// How a surface answers light.
+/// How a surface reflects and transmits light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// `ca`: the ambient light's colour.

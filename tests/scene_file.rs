@@ -145,13 +145,13 @@ fn expected() -> SceneDescription {
     }
 }
 
-/// Where a text stands first in the scene with everything.
+/// The first place of a text in the scene with everything.
 fn span_of(text: &str) -> Span {
     let start = FULL.find(text).expect("it is in the scene");
     start..start + text.len()
 }
 
-/// Takes away what is left of the sine of a right angle.
+/// Rounds away what is left of the sine of a right angle.
 fn round(scene: &mut SceneDescription) {
     let near = |v: &mut DVec3| *v = (*v * 1e12).round() * 1e-12;
     for object in &mut scene.objects {

@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 use srt::accel::BuildConfig;
-use srt::assets::generate::{Kind, generate};
+use srt::assets::generate::{MeshKind, generate};
 use srt::description::Light;
 use srt::image_io::{Picture, compare};
 use srt::math::Color;
@@ -71,7 +71,7 @@ fn frame(name: &'static str, specular: Color) -> Frame {
         half_v: DVec3::new(0.0, 1.0, 0.0),
         color: Color::ONE,
     });
-    let mesh = std::sync::Arc::new(generate(Kind::TorusKnot, 70_000, 1));
+    let mesh = std::sync::Arc::new(generate(MeshKind::TorusKnot, 70_000, 1));
     let scene = Scene::new(&description, vec![mesh]).expect("the scene can be traced");
     let world = built(&scene, "bvh8");
     Frame { name, scene, world }

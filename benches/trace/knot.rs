@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3, Vec3};
 use srt::accel::{Answers, BuildConfig, Scratch, Tracer};
-use srt::assets::generate::{Kind, generate};
+use srt::assets::generate::{MeshKind, generate};
 use srt::description::{
     Camera, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape,
 };
@@ -75,7 +75,7 @@ pub(crate) fn spread(rays: &[Ray], count: usize) -> Vec<Ray> {
 }
 
 fn scene(triangles: u32) -> Scene {
-    let mesh = Arc::new(generate(Kind::TorusKnot, triangles, 1));
+    let mesh = Arc::new(generate(MeshKind::TorusKnot, triangles, 1));
     Scene::new(&description(), vec![mesh]).expect("the scene can be traced")
 }
 

@@ -1,4 +1,4 @@
-//! What can be wrong with a mesh that a scene names.
+//! Why a mesh that a scene names cannot be loaded.
 
 use std::path::PathBuf;
 
@@ -6,10 +6,9 @@ use thiserror::Error;
 
 use super::generate::RecipeError;
 
-/// A mesh that cannot be had: which one, why, where in its file, and what would be right.
+/// A mesh that cannot be loaded: which one, why, where in its file, and what would be right.
 ///
-/// Displayed it says only what is wrong; the place and the help are for whoever shows the error to
-/// mark as fits.
+/// Displayed it is only what is wrong; the place and the help are fields, for the caller to format.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{problem}")]
 pub struct AssetError {
@@ -18,14 +17,14 @@ pub struct AssetError {
     /// What is wrong.
     pub problem: Problem,
     /// The line of the mesh file that is wrong, where one is.
-    pub place: Option<Place>,
+    pub place: Option<FileLine>,
     /// What would be right.
     pub help: Option<String>,
 }
 
 /// A line of a mesh file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct FileLine {
     /// The file.
     pub path: PathBuf,
     /// The line's number, from 1.
@@ -54,10 +53,10 @@ pub enum Problem {
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
+        /// The error of the operating system.
         reason: String,
     },
-    /// A mesh of another kind than is read.
+    /// A mesh in a format that is not read.
     #[error("the mesh file `{}` looks like {format}", path.display())]
     OtherFormat {
         /// The file.
@@ -71,7 +70,7 @@ pub enum Problem {
         /// The file.
         path: PathBuf,
     },
-    /// A line that is no OBJ, or that says what cannot be.
+    /// A line that is not OBJ, or that is impossible, as an index out of range.
     #[error("malformed mesh file `{}`: {what}", path.display())]
     Malformed {
         /// The file.
@@ -95,7 +94,7 @@ pub enum Problem {
         /// How many there were.
         dropped: usize,
     },
-    /// A name that starts like a generated mesh and goes on otherwise.
+    /// A name that starts with `generate:` and is not that of a generated mesh.
     #[error(transparent)]
     Recipe(#[from] RecipeError),
 }

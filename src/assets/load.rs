@@ -1,4 +1,4 @@
-//! The meshes that a scene names, each read or made once.
+//! The meshes that a scene names, each read or generated once.
 
 use std::collections::HashMap;
 use std::fs;
@@ -9,12 +9,12 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::generate::{Recipe, generate};
-use super::{AssetError, MeshData, Place, Problem, obj};
+use super::{AssetError, FileLine, MeshData, Problem, obj};
 use crate::description::MeshReference;
 
 /// Loads the meshes of a scene: the i-th of the result is that of the i-th reference.
 ///
-/// Names that lead to the same file, or that are made by the same rule, share one mesh. Paths are
+/// Names of the same file, or of the same generated mesh, share one mesh. Paths are
 /// relative to `folder`. Any file is read as a Wavefront OBJ, whatever its extension; names that
 /// start with `generate:` are [recipes](Recipe).
 ///
@@ -29,7 +29,7 @@ use crate::description::MeshReference;
 /// ```
 ///
 /// # Errors
-/// One for every reference whose mesh cannot be had, in the order of the references.
+/// One for every reference whose mesh cannot be loaded, in the order of the references.
 pub fn load_meshes(
     references: &[MeshReference],
     folder: &Path,
@@ -62,10 +62,10 @@ pub fn load_meshes(
 enum Source {
     /// A file: its path as written, and the one that all names of the file share.
     File { path: PathBuf, canonical: PathBuf },
-    /// A rule.
+    /// A generated mesh.
     Recipe(Recipe),
-    /// Nowhere.
-    Nothing { name: String, failure: Box<Failure> },
+    /// There is none.
+    Nothing { name: String, failure: Box<LoadFailure> },
 }
 
 /// What makes two sources one.
@@ -76,15 +76,15 @@ enum Key {
     Nothing(String),
 }
 
-/// An [`AssetError`] that does not know yet whose it is.
+/// An [`AssetError`] without its reference: several references may share it.
 #[derive(Clone)]
-struct Failure {
+struct LoadFailure {
     problem: Problem,
-    place: Option<Place>,
+    place: Option<FileLine>,
     help: Option<String>,
 }
 
-impl Failure {
+impl LoadFailure {
     fn new(problem: Problem, help: Option<String>) -> Box<Self> {
         Box::new(Self { problem, place: None, help })
     }
@@ -99,7 +99,7 @@ impl Source {
         let found = match Recipe::parse(name) {
             Some(recipe) => recipe.map(Self::Recipe).map_err(|error| {
                 let help = error.help();
-                Failure::new(error.into(), Some(help))
+                LoadFailure::new(error.into(), Some(help))
             }),
             None => find_file(folder.join(name)),
         };
@@ -114,7 +114,7 @@ impl Source {
         }
     }
 
-    fn load(&self) -> Result<MeshData, Box<Failure>> {
+    fn load(&self) -> Result<MeshData, Box<LoadFailure>> {
         match self {
             Self::File { path, .. } => read_file(path),
             Self::Recipe(recipe) => Ok(generate(recipe.kind, recipe.triangles, recipe.seed)),
@@ -123,27 +123,27 @@ impl Source {
     }
 }
 
-fn find_file(path: PathBuf) -> Result<Source, Box<Failure>> {
+fn find_file(path: PathBuf) -> Result<Source, Box<LoadFailure>> {
     let canonical = fs::canonicalize(&path).map_err(|error| match error.kind() {
         ErrorKind::NotFound | ErrorKind::NotADirectory => {
             let help = similar_name(&path);
-            Failure::new(Problem::Missing { path: path.clone() }, Some(help))
+            LoadFailure::new(Problem::Missing { path: path.clone() }, Some(help))
         }
         _ => unreadable(&path, &error),
     })?;
     if canonical.is_dir() {
         let help = "name the .obj file in it".to_owned();
-        return Err(Failure::new(Problem::Directory { path }, Some(help)));
+        return Err(LoadFailure::new(Problem::Directory { path }, Some(help)));
     }
     Ok(Source::File { path, canonical })
 }
 
-fn unreadable(path: &Path, error: &std::io::Error) -> Box<Failure> {
+fn unreadable(path: &Path, error: &std::io::Error) -> Box<LoadFailure> {
     let reason = error.to_string();
-    Failure::new(Problem::Unreadable { path: path.to_owned(), reason }, None)
+    LoadFailure::new(Problem::Unreadable { path: path.to_owned(), reason }, None)
 }
 
-/// Names the file beside a missing one whose name is most like it, if one is.
+/// Suggests the file in the folder of a missing one whose name is most like it, if one is.
 fn similar_name(path: &Path) -> String {
     let wanted = path.file_name().map(|n| n.to_string_lossy().to_lowercase()).unwrap_or_default();
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -164,27 +164,27 @@ fn similar_name(path: &Path) -> String {
     }
 }
 
-fn read_file(path: &Path) -> Result<MeshData, Box<Failure>> {
+fn read_file(path: &Path) -> Result<MeshData, Box<LoadFailure>> {
     let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
     if let Some(format) = other_format(path, &bytes) {
         let help = "meshes are read as Wavefront OBJ: convert it".to_owned();
-        return Err(Failure::new(
+        return Err(LoadFailure::new(
             Problem::OtherFormat { path: path.to_owned(), format },
             Some(help),
         ));
     }
     let text = String::from_utf8(bytes).map_err(|error| {
         let line = first_bad_line(error.as_bytes(), error.utf8_error().valid_up_to());
-        Box::new(Failure {
+        Box::new(LoadFailure {
             problem: Problem::NotText { path: path.to_owned() },
-            place: Some(Place { path: path.to_owned(), ..line }),
+            place: Some(FileLine { path: path.to_owned(), ..line }),
             help: Some("a mesh file is Wavefront OBJ, in UTF-8".to_owned()),
         })
     })?;
     let mesh = obj::read(&text).map_err(|fault| {
         let problem = Problem::Malformed { path: path.to_owned(), what: fault.what };
-        let place = Place { path: path.to_owned(), line: fault.line, text: fault.text };
-        Box::new(Failure { problem, place: Some(place), help: Some(fault.help) })
+        let place = FileLine { path: path.to_owned(), line: fault.line, text: fault.text };
+        Box::new(LoadFailure { problem, place: Some(place), help: Some(fault.help) })
     })?;
     if !mesh.triangles.is_empty() {
         return Ok(mesh);
@@ -201,11 +201,11 @@ fn read_file(path: &Path) -> Result<MeshData, Box<Failure>> {
              look at the vertices that the faces name, and at the digits they are written with",
         ),
     };
-    Err(Failure::new(problem, Some(help.to_owned())))
+    Err(LoadFailure::new(problem, Some(help.to_owned())))
 }
 
 /// What a file that is no OBJ is, where it begins like one of the common other formats. Binary STL
-/// begins with anything, but tells how long it is.
+/// begins with anything, but states its length.
 fn other_format(path: &Path, bytes: &[u8]) -> Option<&'static str> {
     let is_stl = || {
         let named = path.extension().is_some_and(|name| name.eq_ignore_ascii_case("stl"));
@@ -221,12 +221,12 @@ fn other_format(path: &Path, bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// The line that holds the byte at `offset`, its readable part; the path is left open.
-fn first_bad_line(bytes: &[u8], offset: usize) -> Place {
+/// The line that contains the byte at `offset`, its readable part; the path is left empty.
+fn first_bad_line(bytes: &[u8], offset: usize) -> FileLine {
     let line = 1 + bytes[..offset].iter().filter(|&&b| b == b'\n').count();
     let start = bytes[..offset].iter().rposition(|&b| b == b'\n').map_or(0, |at| at + 1);
     let text = String::from_utf8_lossy(&bytes[start..offset]).chars().take(200).collect();
-    Place { path: PathBuf::new(), line, text }
+    FileLine { path: PathBuf::new(), line, text }
 }
 
 #[cfg(test)]

@@ -72,8 +72,8 @@ impl MeshData {
     /// Writes the mesh as a Wavefront OBJ file with positions, normals and faces.
     ///
     /// Floats are written as the shortest decimals that read back as the same bits, so a reader
-    /// gets the same triangles with the same corners and normals, in the same order. (Ours numbers
-    /// vertices by first use, so the lists of vertices may come back permuted.)
+    /// gets the same triangles with the same corners and normals, in the same order. (The reader here
+    /// numbers vertices by first use, so the lists of vertices may come back permuted.)
     ///
     /// # Errors
     /// Those of the writer.
@@ -86,7 +86,7 @@ impl MeshData {
             writeln!(out, "vn {} {} {}", n.x, n.y, n.z)?;
         }
         for (triangle, normals) in self.triangles.iter().zip(&self.normal_indices) {
-            // 64 bits: the last index of 2³² would not be there in 32, counted from 1.
+            // 64 bits: counted from 1, the last of 2³² indices does not fit in 32.
             let [a, b, c] = triangle.map(|i| u64::from(i) + 1);
             let [na, nb, nc] = normals.map(|i| u64::from(i) + 1);
             writeln!(out, "f {a}//{na} {b}//{nb} {c}//{nc}")?;
@@ -111,7 +111,7 @@ impl MeshData {
 }
 
 /// Whether a triangle has no area: two equal corners, or all three on a line, as far as `f64` can
-/// tell (products of differences of `f32` neither overflow nor vanish there).
+/// resolve it (products of differences of `f32` neither overflow nor vanish there).
 fn is_degenerate(positions: &[Vec3], triangle: &[u32; 3]) -> bool {
     let [a, b, c] = triangle.map(|i| positions[i as usize].as_dvec3());
     (b - a).cross(c - a) == glam::DVec3::ZERO

@@ -1,7 +1,8 @@
-//! The files that a description names, and meshes made by rule: → data in memory.
+//! The meshes that a description names, from files or generated → data in memory.
 //!
-//! With `cli` the only layer that touches files. Knows nothing of tracing: a mesh leaves here as
-//! plain arrays with every index in range, every normal of unit length and no degenerate triangle.
+//! With `cli` the only layer that reads the files of a user. Knows nothing of tracing: a mesh leaves
+//! here as plain arrays with every index in range, every normal of unit length and no degenerate
+//! triangle.
 
 mod error;
 pub mod generate;
@@ -10,6 +11,6 @@ mod mesh_data;
 mod normals;
 mod obj;
 
-pub use error::{AssetError, Place, Problem};
+pub use error::{AssetError, FileLine, Problem};
 pub use load::load_meshes;
 pub use mesh_data::MeshData;

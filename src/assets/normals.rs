@@ -1,4 +1,4 @@
-//! Vertex normals: unit length for those that are given, averages for those that are not.
+//! Vertex normals: those of a file brought to unit length, averages where there are none.
 
 use glam::{DVec3, Vec3};
 
@@ -13,8 +13,8 @@ const UNIT_TOLERANCE: f64 = 4.0 / 16_777_216.0;
 /// A face with edges **a** and **b** from the vertex weighs **a** × **b** / (|**a**|²|**b**|²), after
 /// N. Max, *Weights for computing vertex normals from facet normals* (Journal of Graphics Tools
 /// 4(2), 1999). The average is exact where the vertices lie on a ball, a flat polygon weighs the
-/// same however it is cut into triangles, and the arithmetic is the same on every platform, which
-/// that of the weighting by angles is not.
+/// same however it is cut into triangles, and the arithmetic is the same on every platform, unlike that
+/// of weights by angles.
 ///
 /// Where the faces cancel each other, the first face around the vertex decides; a vertex without
 /// faces gets the z axis.
@@ -69,7 +69,7 @@ pub(super) fn complete(mesh: &mut MeshData) {
         return;
     }
     let averages = average(&mesh.positions, &mesh.triangles);
-    // Position index → index of its average among the normals, once a corner asks for it.
+    // Position index → index of its average among the normals, once a corner uses it.
     let mut added = vec![u32::MAX; mesh.positions.len()];
     for (corners, normal_corners) in mesh.triangles.iter().zip(&mut mesh.normal_indices) {
         for (&vertex, normal) in corners.iter().zip(normal_corners) {
@@ -102,12 +102,12 @@ fn unit(v: DVec3) -> Option<Vec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assets::generate::{Kind, generate};
+    use crate::assets::generate::{MeshKind, generate};
 
     #[test]
     fn on_a_ball_the_average_is_exact() {
-        // Dented in no place, triangles of unequal sizes: the weights of Max give the radius.
-        let ball = generate(Kind::Icosphere, 1000, 0);
+        // Convex, with triangles of unequal sizes: the weights of Max give the radius.
+        let ball = generate(MeshKind::Icosphere, 1000, 0);
         for (p, n) in ball.positions.iter().zip(average(&ball.positions, &ball.triangles)) {
             assert!((*p - n).length() < 2e-6, "{p} {n}");
         }

@@ -10,7 +10,7 @@ use super::compare_args::{CompareArguments, ConformanceArguments, ReportArgument
 use super::exit::EXIT_CODES;
 use super::render_args::RenderArguments;
 use super::values;
-use crate::assets::generate::Kind;
+use crate::assets::generate::MeshKind;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -121,8 +121,8 @@ pub(crate) struct DiffArguments {
 )]
 pub(crate) struct MeshArguments {
     /// The form
-    #[arg(value_name = "KIND", value_parser = described(&Kind::ALL, Kind::name, Kind::description))]
-    pub(crate) kind: Kind,
+    #[arg(value_name = "KIND", value_parser = described(&MeshKind::ALL, MeshKind::name, MeshKind::description))]
+    pub(crate) kind: MeshKind,
 
     /// How many triangles, such as 70000, 70k or 1M
     #[arg(long, short = 'n', value_name = "N", allow_negative_numbers = true,

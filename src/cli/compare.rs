@@ -270,7 +270,7 @@ mod tests {
     fn a_budget_without_time_for_intervals_is_told() {
         let told = |sweep: bool, seconds| {
             let mut plan = Plan::of_scenes(Vec::new());
-            let mesh = crate::assets::generate::Kind::ALL[0];
+            let mesh = crate::assets::generate::MeshKind::ALL[0];
             plan.sweep = sweep.then(|| SweepPlan { mesh, sizes: vec![1] });
             plan.sampling_study = true;
             plan.budget = Some(Duration::from_secs(seconds));

@@ -10,7 +10,7 @@ use super::source::is_stdin;
 use super::structures::{StructureList, Structures};
 use super::values::{Size, percent, seconds, sizes, whole};
 use crate::accel::Quality;
-use crate::assets::generate::Kind;
+use crate::assets::generate::MeshKind;
 use crate::description::Options;
 use crate::record::RayClass;
 use crate::scene::Structure;
@@ -87,8 +87,8 @@ pub(crate) struct CompareArguments {
 
     /// The mesh that grows
     #[arg(long, value_name = "KIND", requires = "sweep",
-        value_parser = described(&Kind::ALL, Kind::name, Kind::description))]
-    pub(crate) mesh: Option<Kind>,
+        value_parser = described(&MeshKind::ALL, MeshKind::name, MeshKind::description))]
+    pub(crate) mesh: Option<MeshKind>,
 
     /// Study sampling too: what random numbers and shuffling cost, and how much noise each way of
     /// sampling area lights leaves for equal samples and for equal time

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use crate::accel::BuildConfig;
-use crate::assets::generate::Kind;
+use crate::assets::generate::MeshKind;
 use crate::record::{RayClass, RoundRule};
 use crate::render::{Sampling, Settings};
 use crate::scene::Scene;
@@ -90,7 +90,7 @@ pub(super) fn fit(size: [u32; 2], largest: u32) -> [u32; 2] {
 #[derive(Clone, Debug)]
 pub struct SweepPlan {
     /// The family.
-    pub mesh: Kind,
+    pub mesh: MeshKind,
     /// Sizes in triangles, growing.
     pub sizes: Vec<u32>,
 }

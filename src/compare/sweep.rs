@@ -9,7 +9,7 @@ use std::time::Duration;
 use glam::{DAffine3, DVec3};
 
 use crate::accel::BuildConfig;
-use crate::assets::generate::{Kind, generate};
+use crate::assets::generate::{MeshKind, generate};
 use crate::description::{
     Camera, Light, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape,
 };
@@ -180,10 +180,12 @@ fn note(record: &mut Sweep, entrant: &Entrant<'_>, triangles: u64) -> bool {
 }
 
 /// A mesh of the family, its materials half a mirror, seen from where all of it is before the eye.
-fn scene_of(kind: Kind, triangles: u32, seed: u64) -> Result<Scene, Vec<SceneError>> {
+fn scene_of(kind: MeshKind, triangles: u32, seed: u64) -> Result<Scene, Vec<SceneError>> {
     // The hall is seen from inside, lit below its ceiling.
     let (eye, target, light) = match kind {
-        Kind::Hall => (DVec3::new(-0.95, -0.05, 0.35), DVec3::new(0.5, 0.0, 0.35), DVec3::Z * 0.7),
+        MeshKind::Hall => {
+            (DVec3::new(-0.95, -0.05, 0.35), DVec3::new(0.5, 0.0, 0.35), DVec3::Z * 0.7)
+        }
         _ => (DVec3::new(0.3, -3.2, 1.4), DVec3::ZERO, DVec3::new(-3.0, -2.0, 4.0)),
     };
     let description = SceneDescription {
@@ -192,7 +194,7 @@ fn scene_of(kind: Kind, triangles: u32, seed: u64) -> Result<Scene, Vec<SceneErr
             direction: target - eye,
             up: DVec3::Z,
             distance: 1.0,
-            fovy_degrees: if kind == Kind::Hall { 70.0 } else { 38.0 },
+            fovy_degrees: if kind == MeshKind::Hall { 70.0 } else { 38.0 },
             width: SIDE,
             height: SIDE,
         },
@@ -214,7 +216,7 @@ mod tests {
 
     #[test]
     fn every_family_is_in_view() {
-        for kind in Kind::ALL {
+        for kind in MeshKind::ALL {
             let scene = scene_of(kind, 2_000, 1).unwrap();
             let world = structure_named("bvh").unwrap().build(&scene, &BuildConfig::default());
             let settings = Settings { width: 40, height: 40, ..Settings::of_scene(&scene) };

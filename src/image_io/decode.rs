@@ -13,9 +13,9 @@ use crate::math::Color;
 #[derive(Debug, Error)]
 #[error("not a .{format} picture: {source}")]
 pub struct DecodeError {
-    /// The format that was asked for.
+    /// The requested format.
     pub format: Format,
-    /// What the decoder said.
+    /// The decoder's error.
     pub source: image::ImageError,
 }
 

@@ -33,17 +33,17 @@ pub enum EncodeError {
         width: u32,
         /// Its height in pixels.
         height: u32,
-        /// The format that was asked for.
+        /// The requested format.
         format: Format,
         /// The largest width and height of the format.
         limit: u32,
     },
-    /// The encoder gave up.
+    /// The encoder failed.
     #[error("cannot write the picture as .{format}: {source}")]
     Encoder {
-        /// The format that was asked for.
+        /// The requested format.
         format: Format,
-        /// What the encoder said.
+        /// The encoder's error.
         source: image::ImageError,
     },
 }
@@ -100,7 +100,7 @@ fn check(picture: &Picture, format: Format) -> Result<(), EncodeError> {
 
 /// Truevision TGA: 18 bytes of header, then blue, green and red, rows from the bottom.
 fn encode_tga(picture: &Picture) -> ImageResult<Vec<u8>> {
-    /// Bit 5 of this byte says that rows start at the top; the low bits count alpha bits.
+    /// Bit 5 of this byte means that rows start at the top; the low bits count alpha bits.
     const IMAGE_DESCRIPTOR: usize = 17;
     let mut file = Vec::new();
     // The image crate writes rows as they come and always calls them rows from the top. The
@@ -148,7 +148,7 @@ fn write(image: &DynamicImage, format: Format) -> ImageResult<Vec<u8>> {
     Ok(file.into_inner())
 }
 
-/// The image crate found fewer values than pixels; `check` has seen to it that it does not.
+/// The error where the image crate finds fewer values than pixels, which `check` has excluded.
 fn too_short<T>() -> ImageResult<T> {
     use image::error::{ImageError, ParameterError, ParameterErrorKind};
     Err(ImageError::Parameter(ParameterError::from_kind(ParameterErrorKind::DimensionMismatch)))

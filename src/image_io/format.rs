@@ -83,7 +83,7 @@ impl fmt::Display for Format {
     }
 }
 
-/// A name that one slip of the finger, or a common other spelling, parts from a format.
+/// The format that a name with one slip, or another common name, probably means.
 fn nearest(name: &str) -> Option<Format> {
     if matches!(name, "targa" | "icb" | "vda") {
         return Some(Format::Tga);
@@ -92,13 +92,13 @@ fn nearest(name: &str) -> Option<Format> {
     Format::ALL.into_iter().min_by_key(distance).filter(|format| distance(format) <= 1)
 }
 
-/// No picture format goes by this name.
+/// No picture format has this name.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{}; known are .tga, .png, .ppm, .exr and .hdr{}", self.what(), self.hint())]
 pub struct UnknownFormat {
     /// The extension or name, as it was given; `None` where a path had none.
     pub found: Option<String>,
-    /// What may have been meant.
+    /// The format that was probably meant.
     pub suggestion: Option<Format>,
 }
 
@@ -106,7 +106,7 @@ impl UnknownFormat {
     fn what(&self) -> String {
         match &self.found {
             Some(name) => format!("unknown picture format `.{name}`"),
-            None => "the name has no extension that says the picture format".to_owned(),
+            None => "the name has no extension that gives the picture format".to_owned(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Pixels ↔ bytes, by format, and the difference of two pictures.
 //!
-//! Knows no files: bytes come and go in memory, and who calls decides where they live. Knows
-//! nothing of scenes or rays either: a picture is a rectangle of linear colours.
+//! Knows no files: bytes are in memory, and the caller decides where they are stored. Knows nothing
+//! of scenes or rays either: a picture is a rectangle of linear colours.
 
 mod decode;
 mod difference;

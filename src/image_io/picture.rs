@@ -19,9 +19,9 @@ pub struct Picture {
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 #[error("{width} × {height} pixels are not {length}")]
 pub struct WrongLength {
-    /// The width that was asked for.
+    /// The requested width.
     pub width: u32,
-    /// The height that was asked for.
+    /// The requested height.
     pub height: u32,
     /// How many pixels there were.
     pub length: usize,

@@ -13,7 +13,7 @@ pub(super) fn bytes(color: Color) -> [u8; 3] {
     color.to_array().map(byte)
 }
 
-/// The value that a byte stands for: b/255, such that [`byte`] gives the byte back.
+/// The value that a byte represents: b/255, such that [`byte`] gives the byte back.
 pub(super) fn value(b: u8) -> f32 {
     let c = f32::from(b) / 255.0;
     // Where the quotient was rounded down, 255 times it may fall short of b, and the floor would

@@ -13,13 +13,13 @@ use crate::shapes::Triangle;
 use super::{Camera, Light, Object, Scene, SceneError, Transforms, range};
 
 impl Scene {
-    /// Compiles a description with its meshes, which stand in the order of
+    /// Compiles a description with its meshes, which are in the order of
     /// [`SceneDescription::meshes`].
     ///
     /// # Errors
     /// All objects, lights and cameras of which the transform or frame is degenerate, or that leave
     /// the range in which the formulas hold in single precision: coordinates up to 10⁹, sizes from
-    /// 10⁻⁹ (see `scene/range.rs` for why). Of objects that stand at one place in the text, the
+    /// 10⁻⁹ (see `scene/range.rs` for why). Of objects from one place in the text, the
     /// first.
     ///
     /// # Panics
@@ -53,7 +53,7 @@ impl Scene {
 }
 
 /// The box around a mesh's triangles as they are traced: its corners may differ in the last bit
-/// from the file's, and the box of an object must hold its primitives' own boxes.
+/// from the file's, and the box of an object must contain its primitives' own boxes.
 fn stored_bounds(mesh: &MeshData) -> Aabb {
     let corners = |triangle: &[u32; 3]| triangle.map(|i| mesh.positions[i as usize]);
     let triangles = mesh.triangles.iter().map(|triangle| Triangle::new(corners(triangle)));
@@ -71,12 +71,12 @@ struct Compiled {
 fn compile_objects(description: &SceneDescription, mesh_bounds: &[Aabb]) -> Compiled {
     let count = description.objects.len();
     let mut compiled = Compiled { objects: Vec::with_capacity(count), ..Compiled::default() };
-    // Ids and places of objects to be looked at again; those in error leave a gap in the ids.
+    // Ids and places of objects to be checked again; those in error leave a gap in the ids.
     let mut doubtful = Vec::new();
     let mut errors = Vec::new();
-    // Of what `repeat` makes many of, one is enough.
-    let mut told = HashSet::new();
-    let mut is_first = |id: usize| told.insert(description.objects[id].span.start);
+    // Of the many objects of one line in a `repeat`, one is enough.
+    let mut reported = HashSet::new();
+    let mut is_first = |id: usize| reported.insert(description.objects[id].span.start);
     for (id, object) in description.objects.iter().enumerate() {
         match compile_object(id, object, mesh_bounds, &mut compiled.transforms) {
             Ok((object, holds_anywhere)) => {
@@ -145,8 +145,8 @@ fn own_bounds(shape: &Shape, mesh_bounds: &[Aabb]) -> Aabb {
     }
 }
 
-/// Also tells whether its formula holds in its own space from however far away rays start, which
-/// is so for nearly all; of the others it is looked at when that is known.
+/// Also returns whether its formula holds in its own space for rays from any distance, which is so
+/// for nearly all; the others are checked once it is known how far away rays start.
 fn compile_object(
     id: usize,
     object: &description::Object,
@@ -251,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn all_that_is_out_of_range_is_told_at_once() {
+    fn all_that_is_out_of_range_is_reported_at_once() {
         let far = DAffine3::from_translation(DVec3::X * 2e9);
         let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
         let objects = vec![
@@ -285,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn of_what_stands_at_one_place_one_error_is_told() {
+    fn objects_from_one_place_in_the_text_give_one_error() {
         let objects = vec![ball(DVec3::X * 2e9, 1.0, DAffine3::IDENTITY); 2];
         let at_one_place = |description: &mut SceneDescription| {
             description.objects[1].span = description.objects[0].span.clone();

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::math::ConditionError;
 
-/// A description that says something no ray can be traced through.
+/// A part of a description that cannot be traced.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SceneError {
     /// An object's transform has no inverse.
@@ -54,7 +54,7 @@ pub enum BuildError {
     /// The library behind it failed.
     #[error("{text}")]
     Library {
-        /// Its own words.
+        /// Its message.
         text: String,
     },
 }

@@ -1,4 +1,4 @@
-//! Lights, as shadow rays see them.
+//! Lights in the world, in single precision.
 
 use glam::Vec3;
 

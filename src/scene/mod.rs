@@ -2,7 +2,7 @@
 //!
 //! [`Scene`] is what all structures share: objects, materials, lights, camera. A *world* is a scene
 //! with a structure built over it, on two levels: one over the objects, one over the triangles of
-//! each mesh. What rays hit is asked of the world; what a hit means, of the scene.
+//! each mesh. The world finds what rays hit; the scene has what a hit means.
 
 mod camera;
 mod compile;
@@ -46,7 +46,7 @@ pub use world::{BuildReport, TracedWorld, World};
 pub struct Scene {
     /// How it is seen.
     pub camera: Camera,
-    /// What the scene file says about rendering.
+    /// The rendering options of the scene file.
     pub options: Options,
     /// What the objects are made of.
     pub materials: Vec<Material>,

@@ -14,8 +14,8 @@
 //! smallest normal number is 1.2·10⁻³⁸. Triangles much smaller than that are hit less precisely,
 //! but every structure still finds the same hits.
 //!
-//! Under a transform the formulas are computed in the object's own space, and [`holds_in`] asks the
-//! same of the numbers there.
+//! Under a transform the formulas are computed in the object's own space, and [`holds_in`] checks the
+//! numbers there.
 
 use glam::DVec3;
 
@@ -30,9 +30,9 @@ pub(super) const SMALLEST: f64 = 1e-9;
 /// How much smaller than their mesh most triangles are, at the least.
 const DETAIL: f64 = 1e-3;
 
-/// Whether a point of the world is within reach.
+/// Whether a point of the world is within the range.
 pub(super) fn holds_at(point: DVec3) -> bool {
-    // A NaN is out of reach, too.
+    // A NaN is not.
     point.abs().max_element() <= LARGEST && !point.is_nan()
 }
 

@@ -6,8 +6,8 @@ use glam::DAffine3;
 
 use crate::math::Transform;
 
-/// Up to so many are kept as they are used. Of the others the matrix alone is kept, less than half
-/// as much; to invert it takes some nanoseconds of each hit.
+/// The most transforms that are kept as they are used. Of the others the matrix alone is kept, less
+/// than half as much; to invert it takes some nanoseconds of each hit.
 const FEW: usize = 1 << 16;
 
 /// Invertible transforms, by index.

@@ -15,7 +15,7 @@ pub(super) struct Row {
 pub(super) enum Action {
     /// Acts on the scene.
     Scene(SceneAction),
-    /// Begins lines that are carried out as many times as its value says.
+    /// Begins lines that are carried out several times: its value is how often.
     Repeat,
     /// Ends the lines of the innermost `Repeat`.
     EndRepeat,

@@ -1,4 +1,4 @@
-//! What is wrong with a scene, and where: plain data for whoever shows it.
+//! What is wrong with a scene, and where: plain data, to be shown by the caller.
 //!
 //! Knows nothing of commands, nor of how or where it is shown; [`render`](super::render) does that.
 
@@ -20,19 +20,19 @@ pub struct Diagnostic {
     pub severity: Severity,
     /// The marked place: bytes of the scene's text, empty where something is missing.
     pub span: Span,
-    /// What is wrong, in one line that can stand alone.
+    /// What is wrong, in one line that is complete by itself.
     pub message: String,
     /// A few words at the marked place.
     pub label: Option<Box<str>>,
     /// What would be right.
     pub help: Option<Box<str>>,
-    /// Other places that belong to it, each with a few words: where a brace was opened, say.
+    /// Related places, each with a few words: where a brace was opened, for example.
     pub related: Vec<(Span, String)>,
     /// The line of another file that is wrong, where one is. Boxed, since it is rare.
     pub elsewhere: Option<Box<LineElsewhere>>,
 }
 
-/// A line of a file that the scene names: of a mesh, say.
+/// A line of a file that the scene names, such as a mesh.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LineElsewhere {
     /// The file's name, as it is to be shown.

@@ -39,7 +39,7 @@ pub(super) fn read(
     let is_missing = header.first_line == FirstLine::Missing;
     let mut lines = lines(source).skip(usize::from(!is_missing));
     for line in &mut lines {
-        // A first line that stands elsewhere was reported already.
+        // A first line in another place was reported already.
         if is_missing && header::begins_scene(line) {
             continue;
         }
@@ -62,7 +62,7 @@ struct Parser<'s> {
     repeats: OpenRepeats<'s>,
     /// The commands that were read, or that an erroneous line was meant to be.
     written: HashSet<&'static str>,
-    /// Where `end` stands, once it was read.
+    /// The place of `end`, once it was read.
     end: Option<Span>,
     lenient: bool,
     /// The list of all commands is help for one error; it would be noise in every one.
@@ -128,7 +128,7 @@ impl<'s> Parser<'s> {
         }
     }
 
-    /// Opens or closes what a command opens or closes whose line is wrong.
+    /// Carries out a command whose line is wrong, where it may open or close something.
     fn open_or_close(&mut self, row: &'static Row, keyword: Word<'s>) {
         if matches!(row.action, Action::Repeat) {
             self.repeats.begin(keyword.span(), 1);
@@ -137,7 +137,7 @@ impl<'s> Parser<'s> {
         }
     }
 
-    /// Opens and closes what the braces open and close that stand where values are too many.
+    /// Carries out the braces among words that are too many for a command.
     fn braces_among(&mut self, words: &[Word<'s>]) {
         for word in words.iter().filter(|word| lexer::is_brace(word.text)) {
             if let Some(row) = commands::find(word.text) {

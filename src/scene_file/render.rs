@@ -1,8 +1,8 @@
 //! Diagnostics → text, as compilers show them: the place, the line with the place marked, what is
 //! wrong and what would be right.
 //!
-//! The text of a scene is not to be trusted: control characters, which could steer a terminal, are
-//! shown as replacement characters.
+//! The text of a scene is not trusted: control characters, which could control a terminal, are shown
+//! as replacement characters.
 
 use std::fmt::Write;
 use std::ops::Range;
@@ -42,7 +42,7 @@ pub fn render_diagnostics(
         text += &renderer.render(&[Group::with_title(Level::NOTE.secondary_title(note))]);
         text += "\n\n";
     }
-    // Between two diagnostics, not behind the last.
+    // Between two diagnostics, not after the last.
     text.truncate(text.trim_end().len());
     if !text.is_empty() {
         text.push('\n');
@@ -103,7 +103,7 @@ struct Excerpt<'a> {
     marks: Vec<Annotation<'a>>,
 }
 
-/// The lines that a diagnostic speaks of, its own place first, each once.
+/// The lines that a diagnostic refers to, its own place first, each once.
 fn excerpts<'a>(diagnostic: &Diagnostic, source: &str) -> Vec<Excerpt<'a>> {
     let mut excerpts: Vec<Excerpt<'a>> = Vec::new();
     let own = (&diagnostic.span, diagnostic.label.as_deref(), AnnotationKind::Primary);
@@ -161,7 +161,7 @@ pub fn summarize(diagnostics: &[Diagnostic]) -> String {
     }
     if warnings > 0 {
         let and = if errors > 0 { " and " } else { "" };
-        // Writing to a text cannot fail.
+        // Writing to a string cannot fail.
         let _ = write!(text, "{and}{}", counted(warnings, "warning"));
     }
     text

@@ -141,8 +141,8 @@ impl Repeat<'_> {
         self.steps.iter().map(of_step).fold(iteration, Totals::plus).times(self.count)
     }
 
-    /// Makes room for what it adds, so that no iteration allocates memory that is not there, where
-    /// the system says so. Called before anything is carried out.
+    /// Makes room for what it adds before anything is carried out, so that a lack of memory is an
+    /// error here, where the system reports it, and not in an iteration.
     ///
     /// # Errors
     /// If it adds or takes too much.

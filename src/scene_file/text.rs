@@ -55,7 +55,7 @@ pub(super) fn line_around(source: &str, offset: usize) -> (usize, TextLine<'_>) 
         }
         found = (index + 1, line);
     }
-    // Behind a last line end stands one more line, empty, as in an editor.
+    // After a last line end there is one more line, empty, as in an editor.
     if offset >= source.len() && source.ends_with(['\n', '\r']) {
         found = (found.0 + 1, TextLine { text: "", start: source.len() });
     }

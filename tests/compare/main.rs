@@ -14,7 +14,7 @@ use std::time::Duration;
 use broken::{Panicking, Shrunken};
 use slow::Forgetful;
 use srt::accel::{Accel, Bounded, Build, Built, Bvh};
-use srt::assets::generate::Kind;
+use srt::assets::generate::MeshKind;
 use srt::compare::{Observer, Outcome, Plan, SceneInput, Silent, SweepPlan, run};
 use srt::counters::Counters;
 use srt::math::{BoxRay, Ray};
@@ -124,7 +124,7 @@ fn a_structure_that_prunes_too_much_is_caught_with_a_ray() {
 fn a_sweep_compares_hits_and_drops_who_differs() {
     let broken = Structure::new::<Bvh, Forgetful>("lossy", "loses half of the triangles");
     let plan = Plan {
-        sweep: Some(SweepPlan { mesh: Kind::Icosphere, sizes: vec![80, 320] }),
+        sweep: Some(SweepPlan { mesh: MeshKind::Icosphere, sizes: vec![80, 320] }),
         scenes: vec![],
         budget: Some(Duration::from_secs(6)),
         ..plan()

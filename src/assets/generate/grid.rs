@@ -5,18 +5,18 @@ use rayon::prelude::*;
 
 /// A rectangle of cells. A closed direction shares the vertices of its first and last line.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Grid {
+pub(super) struct CellGrid {
     /// Cells along the first parameter; at least 3 if it is closed.
     pub(super) columns: u32,
     /// Cells along the second parameter; at least 3 if it is closed.
     pub(super) rows: u32,
-    /// Whether the first parameter comes back to its start.
+    /// Whether the first parameter wraps around.
     pub(super) closed_columns: bool,
     /// Whether the second does.
     pub(super) closed_rows: bool,
 }
 
-impl Grid {
+impl CellGrid {
     /// An open grid of about `triangles` triangles, `aspect` times as many columns as rows.
     pub(super) fn open(triangles: u32, aspect: f64) -> Self {
         let [columns, rows] = cells(triangles, aspect, 1, 1);
@@ -29,7 +29,7 @@ impl Grid {
         Self { columns, rows, closed_columns: true, closed_rows: false }
     }
 
-    /// A tube that bites its tail.
+    /// A tube whose ends are joined.
     pub(super) fn torus(triangles: u32, aspect: f64) -> Self {
         let [columns, rows] = cells(triangles, aspect, 3, 3);
         Self { columns, rows, closed_columns: true, closed_rows: true }
@@ -93,9 +93,9 @@ mod tests {
     #[test]
     fn closed_directions_share_their_seam() {
         for (grid, vertices) in [
-            (Grid { columns: 4, rows: 3, closed_columns: false, closed_rows: false }, 20),
-            (Grid { columns: 4, rows: 3, closed_columns: true, closed_rows: false }, 16),
-            (Grid { columns: 4, rows: 3, closed_columns: true, closed_rows: true }, 12),
+            (CellGrid { columns: 4, rows: 3, closed_columns: false, closed_rows: false }, 20),
+            (CellGrid { columns: 4, rows: 3, closed_columns: true, closed_rows: false }, 16),
+            (CellGrid { columns: 4, rows: 3, closed_columns: true, closed_rows: true }, 12),
         ] {
             assert_eq!(grid.vertices(|u, v| DVec3::new(u, v, 0.0)).len(), vertices);
             let triangles: Vec<_> = grid.triangles(0).collect();

@@ -5,14 +5,14 @@ use std::f64::consts::{PI, TAU};
 use glam::{DVec3, Vec3};
 
 use super::MeshData;
-use super::grid::Grid;
+use super::grid::CellGrid;
 
 /// Half the length (x) and half the width (y) of the room, and its height.
 const ROOM: DVec3 = DVec3::new(1.0, 0.6, 0.8);
 /// Columns in each of the two rows, and the distance from one to the next.
 const COLUMNS: u32 = 5;
 const PITCH: f64 = 0.4;
-/// How far the rows stand from the middle.
+/// The distance of the rows from the middle.
 const ROW: f64 = 0.35;
 const COLUMN_RADIUS: f64 = 0.045;
 const COLUMN_HEIGHT: f64 = 0.45;
@@ -28,11 +28,11 @@ pub(super) fn generate(triangles: u32) -> MeshData {
     for side in [-ROW, ROW] {
         for i in 0..COLUMNS {
             let x = PITCH * (f64::from(i) - f64::from(COLUMNS - 1) / 2.0);
-            parts.add(Part::Column, |u, v| DVec3::new(x, side, 0.0) + column(u, v));
+            parts.add(HallPart::Column, |u, v| DVec3::new(x, side, 0.0) + column(u, v));
             if i + 1 < COLUMNS {
                 let between = DVec3::new(x + PITCH / 2.0, side, 0.0);
-                parts.add(Part::Arch, |u, v| between + arch(u, v));
-                parts.add(Part::Vase, |u, v| between + vase(u, v));
+                parts.add(HallPart::Arch, |u, v| between + arch(u, v));
+                parts.add(HallPart::Vase, |u, v| between + vase(u, v));
             }
         }
     }
@@ -41,13 +41,13 @@ pub(super) fn generate(triangles: u32) -> MeshData {
 
 /// What is finely tessellated.
 #[derive(Clone, Copy)]
-enum Part {
+enum HallPart {
     Column,
     Arch,
     Vase,
 }
 
-impl Part {
+impl HallPart {
     /// Its share of the triangles.
     fn weight(self) -> u32 {
         match self {
@@ -69,7 +69,8 @@ impl Part {
 /// The weights of everything that is finely tessellated.
 fn total_weight() -> u32 {
     let gaps = COLUMNS - 1;
-    2 * (COLUMNS * Part::Column.weight() + gaps * (Part::Arch.weight() + Part::Vase.weight()))
+    2 * (COLUMNS * HallPart::Column.weight()
+        + gaps * (HallPart::Arch.weight() + HallPart::Vase.weight()))
 }
 
 /// The mesh so far, and what is left to spend on the parts to come.
@@ -83,13 +84,13 @@ struct Parts {
 
 impl Parts {
     /// Adds a part with its share of what is left: what rounding takes from one, the next ones get.
-    fn add(&mut self, part: Part, surface: impl Fn(f64, f64) -> DVec3 + Sync) {
+    fn add(&mut self, part: HallPart, surface: impl Fn(f64, f64) -> DVec3 + Sync) {
         let share = u64::from(self.left) * u64::from(part.weight()) / u64::from(self.weight);
         self.weight -= part.weight();
-        self.append(Grid::tube(share as u32, part.aspect()), surface);
+        self.append(CellGrid::tube(share as u32, part.aspect()), surface);
     }
 
-    fn append(&mut self, grid: Grid, surface: impl Fn(f64, f64) -> DVec3 + Sync) {
+    fn append(&mut self, grid: CellGrid, surface: impl Fn(f64, f64) -> DVec3 + Sync) {
         self.left = self.left.saturating_sub(grid.triangle_count());
         let first = self.positions.len() as u32;
         self.positions.extend(grid.vertices(surface));
@@ -106,7 +107,7 @@ fn add_room(parts: &mut Parts) {
     for (origin, a, b) in
         [(low, x, y), (low, y, up), (low, up, x), (high, -y, -x), (high, -up, -y), (high, -x, -up)]
     {
-        let quad = Grid { columns: 1, rows: 1, closed_columns: false, closed_rows: false };
+        let quad = CellGrid { columns: 1, rows: 1, closed_columns: false, closed_rows: false };
         parts.append(quad, |u, v| origin + u * a + v * b);
     }
 }

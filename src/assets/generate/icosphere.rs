@@ -6,13 +6,13 @@ use glam::{DVec3, Vec3};
 
 use super::MeshData;
 
-/// A mesh of 20·k² triangles and 10·k² + 2 vertices, k such that it is nearest to the number asked
-/// for. The faces are divided evenly while flat and then projected to the ball, where the normals
+/// A mesh of 20·k² triangles and 10·k² + 2 vertices, k such that it is nearest to the requested
+/// number. The faces are divided evenly while flat and then projected to the ball, where the normals
 /// are the positions.
 pub(super) fn generate(triangles: u32) -> MeshData {
     let k = frequency(triangles);
     let mut ball =
-        Ball { k, positions: corners().map(DVec3::as_vec3).to_vec(), edges: HashMap::new() };
+        Subdivision { k, positions: corners().map(DVec3::as_vec3).to_vec(), edges: HashMap::new() };
     let mut split = Vec::with_capacity(20 * (k * k) as usize);
     for face in faces() {
         ball.split_face(face, &mut split);
@@ -66,14 +66,14 @@ fn faces() -> Vec<[usize; 3]> {
     faces
 }
 
-struct Ball {
+struct Subdivision {
     k: u32,
     positions: Vec<Vec3>,
     /// The first of the k − 1 vertices between two corners, from the smaller corner on.
     edges: HashMap<(usize, usize), u32>,
 }
 
-impl Ball {
+impl Subdivision {
     fn split_face(&mut self, face: [usize; 3], triangles: &mut Vec<[u32; 3]>) {
         let k = self.k;
         let edges = [0, 1, 2].map(|i| self.edge(face[i], face[(i + 1) % 3]));
@@ -99,7 +99,7 @@ impl Ball {
         }
     }
 
-    /// The edge between two corners; its vertices are made when it is first met.
+    /// The edge between two corners; its vertices are made when it is first used.
     fn edge(&mut self, from: usize, to: usize) -> Edge {
         let (low, high) = (from.min(to), from.max(to));
         let (k, positions) = (self.k, &mut self.positions);

@@ -1,8 +1,8 @@
-//! Meshes made by rule: for scenes and measurements of any size without files.
+//! Generated meshes: of any size, for scenes and measurements.
 //!
-//! One file a kind. A mesh is a function of (kind, number of triangles, seed) and of nothing else.
-//! The arithmetic is that of `f64`, rounded once; what uses sines and cosines (the knot and the
-//! hall) is as equal on two platforms as their libraries for those are, all else to the bit.
+//! One module a kind. A mesh is a function of (kind, number of triangles, seed) and of nothing else:
+//! equal to the bit on every platform, since the arithmetic is that of `f64`, rounded once, and
+//! powers, sines and cosines come from `libm` in Rust.
 
 mod grid;
 mod hall;
@@ -21,8 +21,8 @@ use super::MeshData;
 
 /// The kinds of meshes. All have z up, no degenerate triangle, and lie within [−1, 1]³.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
-    /// The unit ball: 20·k² triangles, so within about 1/k of the number asked for; closed.
+pub enum MeshKind {
+    /// The unit ball: 20·k² triangles, so within about 1/k of the requested number; closed.
     Icosphere,
     /// A trefoil tube of radius 0.12 in [−0.97, 0.97]² × [−0.37, 0.37]; closed.
     TorusKnot,
@@ -35,12 +35,12 @@ pub enum Kind {
     Soup,
 }
 
-impl Kind {
+impl MeshKind {
     /// All kinds, in the order in which they are listed.
     pub const ALL: [Self; 5] =
         [Self::Icosphere, Self::TorusKnot, Self::Terrain, Self::Hall, Self::Soup];
 
-    /// What it is called in scenes and on the command line.
+    /// Its name in scenes and on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -52,15 +52,17 @@ impl Kind {
         }
     }
 
-    /// What it is, in a line.
+    /// Its description, in a line.
     #[must_use]
     pub fn description(self) -> &'static str {
         match self {
             Self::Icosphere => "a ball: a subdivided icosahedron, triangles of about one size",
             Self::TorusKnot => "a trefoil knot of a round tube, closed and smooth",
-            Self::Terrain => "a square of land, displaced by fractal noise (the seed says which)",
+            Self::Terrain => {
+                "a square of land, displaced by fractal noise (the seed selects which)"
+            }
             Self::Hall => "a columned hall: a few huge triangles, the others fine",
-            Self::Soup => "random triangles in a cube (the seed says which), none connected",
+            Self::Soup => "random triangles in a cube (the seed selects which), none connected",
         }
     }
 
@@ -71,36 +73,36 @@ impl Kind {
     }
 }
 
-impl fmt::Display for Kind {
+impl fmt::Display for MeshKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
 }
 
-/// The most triangles that are made: their indices fit in 32 bits for every kind.
+/// The most triangles that are generated: their indices fit in 32 bits for every kind.
 pub const MAX_TRIANGLES: u32 = 100_000_000;
 
 /// A mesh of about `triangles` triangles, at most [`MAX_TRIANGLES`].
 ///
 /// For 1000 or more the number is met within 3 %, by the soup exactly; the icosphere takes the
 /// nearest 20·k² (within 15 % at 1000, 2 % at 70,000, 0.5 % at a million). Smaller numbers give the
-/// least that makes the form. The seed matters to the terrain and the soup.
+/// fewest that make the shape. The seed matters to the terrain and the soup.
 ///
 /// ```
-/// use srt::assets::generate::{Kind, generate};
+/// use srt::assets::generate::{MeshKind, generate};
 ///
-/// let ball = generate(Kind::Icosphere, 70_000, 0);
+/// let ball = generate(MeshKind::Icosphere, 70_000, 0);
 /// assert_eq!(ball.triangles.len(), 69_620);
 /// ```
 #[must_use]
-pub fn generate(kind: Kind, triangles: u32, seed: u64) -> MeshData {
+pub fn generate(kind: MeshKind, triangles: u32, seed: u64) -> MeshData {
     let triangles = triangles.clamp(1, MAX_TRIANGLES);
     match kind {
-        Kind::Icosphere => icosphere::generate(triangles),
-        Kind::TorusKnot => torus_knot::generate(triangles),
-        Kind::Terrain => terrain::generate(triangles, seed),
-        Kind::Hall => hall::generate(triangles),
-        Kind::Soup => soup::generate(triangles, seed),
+        MeshKind::Icosphere => icosphere::generate(triangles),
+        MeshKind::TorusKnot => torus_knot::generate(triangles),
+        MeshKind::Terrain => terrain::generate(triangles, seed),
+        MeshKind::Hall => hall::generate(triangles),
+        MeshKind::Soup => soup::generate(triangles, seed),
     }
 }
 

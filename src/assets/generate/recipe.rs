@@ -2,22 +2,22 @@
 
 use thiserror::Error;
 
-use super::{Kind, MAX_TRIANGLES};
+use super::{MAX_TRIANGLES, MeshKind};
 
 const PREFIX: &str = "generate:";
 
-/// What a name of the form `generate:KIND:TRIANGLES[:SEED]` asks for.
+/// What a name of the form `generate:KIND:TRIANGLES[:SEED]` describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Recipe {
-    /// What to make.
-    pub kind: Kind,
+    /// What to generate.
+    pub kind: MeshKind,
     /// Of about how many triangles; from 1 to [`MAX_TRIANGLES`].
     pub triangles: u32,
-    /// Which of the many; 0 where none is written.
+    /// The seed; 0 where none is written.
     pub seed: u64,
 }
 
-/// A name that starts with `generate:` and goes on otherwise.
+/// A name that starts with `generate:` and is not that of a generated mesh.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum RecipeError {
     /// No generator of that name.
@@ -26,7 +26,7 @@ pub enum RecipeError {
         /// The name.
         name: String,
     },
-    /// Not a number of triangles that can be made.
+    /// Not a number of triangles that can be generated.
     #[error("`{count}` is not a number of triangles")]
     BadCount {
         /// What is written in its place.
@@ -52,8 +52,11 @@ impl RecipeError {
     pub fn help(&self) -> String {
         match self {
             Self::UnknownKind { name } => {
-                let distance = |kind: &Kind| strsim::osa_distance(kind.name(), name);
-                match Kind::ALL.into_iter().min_by_key(distance).filter(|kind| distance(kind) <= 2)
+                let distance = |kind: &MeshKind| strsim::osa_distance(kind.name(), name);
+                match MeshKind::ALL
+                    .into_iter()
+                    .min_by_key(distance)
+                    .filter(|kind| distance(kind) <= 2)
                 {
                     Some(kind) => format!("did you mean `{kind}`? The kinds are {}", kinds()),
                     None => format!("the kinds are {}", kinds()),
@@ -71,7 +74,7 @@ impl RecipeError {
 }
 
 impl Recipe {
-    /// What a name asks for; `None` if it does not start with `generate:`.
+    /// The mesh of a name; `None` if it does not start with `generate:`.
     #[must_use]
     pub fn parse(name: &str) -> Option<Result<Self, RecipeError>> {
         let parts: Vec<_> = name.strip_prefix(PREFIX)?.split(':').collect();
@@ -86,7 +89,7 @@ impl Recipe {
         let unknown = || RecipeError::UnknownKind { name: kind.to_owned() };
         let count = read_count(triangles).filter(|n| (1..=MAX_TRIANGLES).contains(n));
         Ok(Self {
-            kind: Kind::from_name(kind).ok_or_else(unknown)?,
+            kind: MeshKind::from_name(kind).ok_or_else(unknown)?,
             triangles: count
                 .ok_or_else(|| RecipeError::BadCount { count: triangles.to_owned() })?,
             seed: seed.parse().map_err(|_| RecipeError::BadSeed { seed: seed.to_owned() })?,
@@ -95,7 +98,7 @@ impl Recipe {
 }
 
 /// Reads a number of triangles: digits alone, or with `k` or `M` behind them for thousands or
-/// millions. Too large ones saturate, so that they meet whoever checks the range.
+/// millions. Too large ones saturate, so that a check of the range still refuses them.
 ///
 /// ```
 /// use srt::assets::generate::read_count;
@@ -115,7 +118,7 @@ pub fn read_count(text: &str) -> Option<u32> {
 }
 
 fn kinds() -> String {
-    Kind::ALL.map(Kind::name).join(", ")
+    MeshKind::ALL.map(MeshKind::name).join(", ")
 }
 
 #[cfg(test)]
@@ -125,15 +128,15 @@ mod tests {
     #[test]
     fn names_are_read() {
         let recipe = |kind, triangles, seed| Some(Ok(Recipe { kind, triangles, seed }));
-        assert_eq!(Recipe::parse("generate:hall:5000"), recipe(Kind::Hall, 5000, 0));
-        assert_eq!(Recipe::parse("generate:torus-knot:1:9"), recipe(Kind::TorusKnot, 1, 9));
-        assert_eq!(Recipe::parse("generate:soup:1k"), recipe(Kind::Soup, 1_000, 0));
-        assert_eq!(Recipe::parse("generate:soup:2M:3"), recipe(Kind::Soup, 2_000_000, 3));
+        assert_eq!(Recipe::parse("generate:hall:5000"), recipe(MeshKind::Hall, 5000, 0));
+        assert_eq!(Recipe::parse("generate:torus-knot:1:9"), recipe(MeshKind::TorusKnot, 1, 9));
+        assert_eq!(Recipe::parse("generate:soup:1k"), recipe(MeshKind::Soup, 1_000, 0));
+        assert_eq!(Recipe::parse("generate:soup:2M:3"), recipe(MeshKind::Soup, 2_000_000, 3));
         assert_eq!(Recipe::parse("meshes/generate.obj"), None);
     }
 
     #[test]
-    fn wrong_names_say_what_would_be_right() {
+    fn errors_of_wrong_names_suggest_what_would_be_right() {
         let error = |name: &str| {
             let error = Recipe::parse(name).unwrap().unwrap_err();
             (error.to_string(), error.help())

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::MeshData;
 use crate::math::Random;
 
-/// Tells the stream of a triangle from other uses of the same numbers.
+/// Separates the random stream of a triangle from other uses of the same numbers.
 const STREAM: u64 = 0x736F_7570;
 
 /// `triangles` triangles, each a function of the seed and its own index, with flat normals.

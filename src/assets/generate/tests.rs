@@ -33,8 +33,8 @@ fn is_closed(mesh: &MeshData) -> bool {
 }
 
 #[test]
-fn every_mesh_keeps_what_mesh_data_promises() {
-    for kind in Kind::ALL {
+fn every_mesh_satisfies_the_invariants_of_mesh_data() {
+    for kind in MeshKind::ALL {
         for count in (1..60).chain(COUNTS) {
             let mesh = generate(kind, count, 3);
             assert_eq!(mesh.dropped, 0, "{kind} {count}");
@@ -52,14 +52,14 @@ fn every_mesh_keeps_what_mesh_data_promises() {
 }
 
 #[test]
-fn about_as_many_triangles_as_asked_for() {
-    for kind in Kind::ALL {
+fn the_number_of_triangles_is_about_the_requested_one() {
+    for kind in MeshKind::ALL {
         for count in COUNTS {
             let got = generate(kind, count, 0).triangles.len() as f64;
             let miss = (got / f64::from(count) - 1.0).abs();
             let allowed = match kind {
-                Kind::Icosphere => (20.0 / f64::from(count)).sqrt() * 1.05,
-                Kind::Soup => 0.0,
+                MeshKind::Icosphere => (20.0 / f64::from(count)).sqrt() * 1.05,
+                MeshKind::Soup => 0.0,
                 _ => 0.03,
             };
             assert!(miss <= allowed, "{kind}: {got} for {count}");
@@ -69,10 +69,10 @@ fn about_as_many_triangles_as_asked_for() {
 
 #[test]
 fn the_same_numbers_give_the_same_mesh_and_seeds_others() {
-    for kind in Kind::ALL {
+    for kind in MeshKind::ALL {
         assert_eq!(generate(kind, 5000, 7), generate(kind, 5000, 7));
         let seeded = generate(kind, 5000, 8) != generate(kind, 5000, 7);
-        assert_eq!(seeded, matches!(kind, Kind::Terrain | Kind::Soup), "{kind}");
+        assert_eq!(seeded, matches!(kind, MeshKind::Terrain | MeshKind::Soup), "{kind}");
     }
 }
 
@@ -80,7 +80,7 @@ fn the_same_numbers_give_the_same_mesh_and_seeds_others() {
 fn the_icosphere_is_a_closed_ball() {
     let mut last_miss = f64::INFINITY;
     for k in [1, 2, 3, 7, 30] {
-        let ball = generate(Kind::Icosphere, 20 * k * k, 0);
+        let ball = generate(MeshKind::Icosphere, 20 * k * k, 0);
         assert_eq!(ball.triangles.len(), (20 * k * k) as usize);
         assert_eq!(ball.positions.len(), (10 * k * k + 2) as usize);
         assert_eq!(euler_characteristic(&ball), 2);
@@ -94,7 +94,7 @@ fn the_icosphere_is_a_closed_ball() {
 
 #[test]
 fn the_knot_is_a_closed_tube() {
-    let knot = generate(Kind::TorusKnot, 70_000, 0);
+    let knot = generate(MeshKind::TorusKnot, 70_000, 0);
     assert_eq!(euler_characteristic(&knot), 0);
     assert!(is_closed(&knot));
     // Pappus: the area of a tube about a curve is its length times its circumference.
@@ -115,7 +115,7 @@ fn the_knot_is_a_closed_tube() {
 
 #[test]
 fn terrain_spans_its_square_and_faces_up() {
-    let land = generate(Kind::Terrain, 20_000, 1);
+    let land = generate(MeshKind::Terrain, 20_000, 1);
     let bounds = land.bounds();
     assert_eq!((bounds.min.x, bounds.max.x, bounds.min.y, bounds.max.y), (-1.0, 1.0, -1.0, 1.0));
     assert!(bounds.min.z >= -0.35 && bounds.max.z <= 0.35 && bounds.size().z > 0.1);
@@ -125,7 +125,7 @@ fn terrain_spans_its_square_and_faces_up() {
 
 #[test]
 fn the_hall_stands_on_the_floor_and_its_room_faces_inwards() {
-    let hall = generate(Kind::Hall, 50_000, 0);
+    let hall = generate(MeshKind::Hall, 50_000, 0);
     let bounds = hall.bounds();
     assert_eq!(Vec3::from(bounds.min), Vec3::new(-1.0, -0.6, 0.0));
     assert_eq!(Vec3::from(bounds.max), Vec3::new(1.0, 0.6, 0.8));
@@ -145,7 +145,7 @@ fn the_hall_stands_on_the_floor_and_its_room_faces_inwards() {
 
 #[test]
 fn soup_shrinks_with_its_number() {
-    let mean_area = |n: u32| area(&generate(Kind::Soup, n, 1)) / f64::from(n);
+    let mean_area = |n: u32| area(&generate(MeshKind::Soup, n, 1)) / f64::from(n);
     let ratio = mean_area(1000) / mean_area(64_000);
     assert!((ratio / 16.0 - 1.0).abs() < 0.1, "64 times as many, a 16th of the area: {ratio}");
 }

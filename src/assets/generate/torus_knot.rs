@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::{DVec3, Vec3};
 
 use super::MeshData;
-use super::grid::Grid;
+use super::grid::CellGrid;
 
 /// Turns about the axis, and about the core of the torus.
 const TURNS: f64 = 2.0;
@@ -20,7 +20,7 @@ const SLENDERNESS: f64 = 12.9;
 
 /// A closed tube; its normals are those of the smooth surface.
 pub(super) fn generate(triangles: u32) -> MeshData {
-    let grid = Grid::torus(triangles, 1.0 / SLENDERNESS);
+    let grid = CellGrid::torus(triangles, 1.0 / SLENDERNESS);
     let triangles: Vec<_> = grid.triangles(0).collect();
     let normals: Vec<Vec3> = grid.vertices(|u, v| normal(u, &frame(v)));
     let positions = grid.vertices(|u, v| {

@@ -1,4 +1,4 @@
-//! Files, folders and recipes: what is shared, and what is said when something is missing.
+//! Files, folders and recipes: what is shared, and the errors when something is missing.
 
 use super::*;
 
@@ -29,7 +29,7 @@ fn names_of_one_mesh_share_it() {
 }
 
 #[test]
-fn every_mesh_that_cannot_be_had_is_an_error() {
+fn every_mesh_that_cannot_be_loaded_is_an_error() {
     let folder = folder_with(&[
         ("bunny.obj", TRIANGLE.as_bytes()),
         ("bad.obj", b"v 0 0 0\nf 1 2 3\n"),
@@ -55,7 +55,7 @@ fn every_mesh_that_cannot_be_had_is_an_error() {
         "bad.obj",
     ];
     let errors = load_meshes(&references(&names), folder.path()).unwrap_err();
-    let said: Vec<String> = errors
+    let messages: Vec<String> = errors
         .iter()
         .map(|error| {
             let place = error.place.as_ref().map(|p| format!(" [{}: {}]", p.line, p.text));
@@ -64,11 +64,11 @@ fn every_mesh_that_cannot_be_had_is_an_error() {
         })
         .collect();
     let root = format!("{}{}", folder.path().display(), std::path::MAIN_SEPARATOR);
-    insta::assert_snapshot!(said.join("\n").replace(&root, ""));
+    insta::assert_snapshot!(messages.join("\n").replace(&root, ""));
 }
 
 #[test]
-fn meshes_of_other_formats_are_called_by_them() {
+fn meshes_of_other_formats_are_recognized() {
     let mut binary = vec![0; 84];
     binary[80] = 2;
     binary.resize(84 + 2 * 50, 0xff);

@@ -3,9 +3,9 @@
 //! Faces are checked while they are read, so what is left are the numbers of `v` and `vn`.
 
 use super::Fault;
-use super::lines::{Line, lines, split_keyword};
+use super::lines::{ObjLine, lines, split_keyword};
 
-/// The first line with numbers that cannot be, or, if there is none, `reason` at the first line.
+/// The first line with invalid numbers, or, if there is none, `reason` at the first line.
 pub(super) fn explain(text: &str, reason: &str) -> Fault {
     let unexplained = || Fault {
         line: 1,
@@ -16,7 +16,7 @@ pub(super) fn explain(text: &str, reason: &str) -> Fault {
     lines(text).find_map(|line| fault_of(&line)).unwrap_or_else(unexplained)
 }
 
-fn fault_of(line: &Line<'_>) -> Option<Fault> {
+fn fault_of(line: &ObjLine<'_>) -> Option<Fault> {
     let content = line.content();
     let (keyword, values) = split_keyword(&content);
     let (what, help) = match keyword {

@@ -1,14 +1,14 @@
-//! The lines of an OBJ file, as the format means them: a backslash at the end joins two, `#` starts
-//! a remark.
+//! The lines of an OBJ file, as the format defines them: a backslash at the end joins two, `#` starts
+//! a comment.
 
 use std::borrow::Cow;
 
 /// How much of a line is shown in an error.
 const SHOWN: usize = 200;
 
-/// A line of meaning: one line of text, or several that backslashes join.
+/// A line of the format: one line of text, or several that backslashes join.
 #[derive(Clone, Debug)]
-pub(super) struct Line<'a> {
+pub(super) struct ObjLine<'a> {
     /// The number of its first line of text, from 1.
     pub(super) number: usize,
     /// As written, with its line end.
@@ -17,14 +17,14 @@ pub(super) struct Line<'a> {
     joined: bool,
 }
 
-impl<'a> Line<'a> {
-    /// What it says: joined, without a remark and without blanks around it.
+impl<'a> ObjLine<'a> {
+    /// Its content: joined, without a comment and without blanks around it.
     pub(super) fn content(&self) -> Cow<'a, str> {
         if self.joined {
             let text = self.raw.replace("\\\r\n", " ").replace("\\\n", " ");
-            Cow::Owned(without_remark(&text).to_owned())
+            Cow::Owned(without_comment(&text).to_owned())
         } else {
-            Cow::Borrowed(without_remark(self.raw))
+            Cow::Borrowed(without_comment(self.raw))
         }
     }
 
@@ -38,7 +38,7 @@ impl<'a> Line<'a> {
     }
 }
 
-fn without_remark(text: &str) -> &str {
+fn without_comment(text: &str) -> &str {
     // Most lines have none, and are long enough for the search of bytes to pay.
     let end = if text.as_bytes().contains(&b'#') { text.find('#') } else { None };
     text[..end.unwrap_or(text.len())].trim_ascii()
@@ -64,9 +64,9 @@ pub(super) fn lines(text: &str) -> Lines<'_> {
 }
 
 impl<'a> Iterator for Lines<'a> {
-    type Item = Line<'a>;
+    type Item = ObjLine<'a>;
 
-    fn next(&mut self) -> Option<Line<'a>> {
+    fn next(&mut self) -> Option<ObjLine<'a>> {
         let (rest, number) = (self.rest, self.number);
         let mut end = 0;
         while end < rest.len() {
@@ -78,7 +78,7 @@ impl<'a> Iterator for Lines<'a> {
         }
         let (raw, tail) = rest.split_at(end);
         self.rest = tail;
-        (end > 0).then_some(Line { number, raw, joined: self.number > number + 1 })
+        (end > 0).then_some(ObjLine { number, raw, joined: self.number > number + 1 })
     }
 }
 

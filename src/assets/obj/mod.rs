@@ -1,33 +1,32 @@
 //! Wavefront OBJ text → a mesh, through tobj.
 //!
-//! tobj reads what it is given fast, but some valid files not as they are meant and some invalid
-//! ones without complaint: a corner without normal takes that of the corner before, index 0 counts
-//! as none, lines (`l`) become triangles, groups part vertices that faces share, remarks behind
-//! values and vertices with and without colours are refused, huge normal indices overflow. So it
-//! reads through [`Faithful`], which passes on only the lines that matter, in words that tobj
-//! understands as they are meant, and stops at the first face that is wrong. What tobj itself
-//! refuses, [`explain`] finds the line of.
+//! tobj is fast, but misreads some valid files and accepts some invalid ones: a corner without normal
+//! takes that of the corner before, index 0 counts as none, lines (`l`) become triangles, vertices
+//! are not shared across groups, comments behind values and a mix of vertices with and without
+//! colours are refused, huge normal indices overflow. So it reads from a [`TobjInput`], which passes
+//! on only the lines that matter, in a form that tobj reads correctly, and stops at the first face
+//! that is wrong. [`explain`] finds the line that tobj itself refuses.
 //!
 //! Read: `v` (with w, or with colours that are ignored), `vn`, `f` with polygons of any number of
-//! corners (as fans, so they should be convex) and negative indices. Everything else is passed over.
+//! corners (as fans, so they should be convex) and negative indices. Everything else is ignored.
 
 mod corner;
 mod explain;
-mod faithful;
 mod lines;
+mod tobj_input;
 
 use glam::Vec3;
 
 use super::MeshData;
 use explain::explain;
-use faithful::Faithful;
+use tobj_input::TobjInput;
 
 /// A line that is wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Fault {
     /// Its number, from 1.
     pub(super) line: usize,
-    /// Itself.
+    /// The line.
     pub(super) text: String,
     /// What is wrong with it.
     pub(super) what: String,
@@ -40,17 +39,17 @@ pub(super) struct Fault {
 /// Vertices and normals are numbered by first use; unused ones are left out. Corners without a
 /// normal get one averaged from the faces around the vertex.
 pub(super) fn read(text: &str) -> Result<MeshData, Fault> {
-    let mut lines = Faithful::new(text);
+    let mut lines = TobjInput::new(text);
     let loaded = tobj::load_obj_buf(
         &mut lines,
         &tobj::LoadOptions { triangulate: true, ..Default::default() },
-        |_| Err(tobj::LoadError::OpenFileFailed), // materials are never asked for
+        |_| Err(tobj::LoadError::OpenFileFailed), // materials are never loaded
     );
     if let Some(fault) = lines.into_fault() {
         return Err(fault);
     }
     let (models, _) = loaded.map_err(|error| explain(text, &error.to_string()))?;
-    // One model or none: the lines that would part them never reach tobj.
+    // One model or none: lines that begin another model never reach tobj.
     let Some(model) = models.into_iter().next() else {
         return Ok(MeshData::default());
     };

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::assets::generate::{Kind, generate};
+use crate::assets::generate::{MeshKind, generate};
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
@@ -29,7 +29,7 @@ fn polygons_become_fans_and_negative_indices_count_back() {
     let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
     let expected = mesh(&format!("{square}f 1 2 3\nf 1 3 4\n"));
     assert_eq!(expected.triangles, [[0, 1, 2], [0, 2, 3]]);
-    for face in ["f 1 2 3 4", "f -4 -3 -2 -1", "f 1/7 2/8 3/9 4/1", "f 1 2 \\\n 3 4 # remark"] {
+    for face in ["f 1 2 3 4", "f -4 -3 -2 -1", "f 1/7 2/8 3/9 4/1", "f 1 2 \\\n 3 4 # comment"] {
         assert_eq!(mesh(&format!("{square}{face}")), expected, "{face}");
     }
     let late = format!("f 1 2 3 4\n{square}");
@@ -132,7 +132,7 @@ fn wrong_numbers_are_found_with_their_line() {
 
 #[test]
 fn a_text_without_faces_is_an_empty_mesh() {
-    for text in ["", "\n\n", "# only a remark", "v 0 0 0\n", "ply\nformat ascii 1.0\n", "\u{feff}"]
+    for text in ["", "\n\n", "# only a comment", "v 0 0 0\n", "ply\nformat ascii 1.0\n", "\u{feff}"]
     {
         assert_eq!(mesh(text), MeshData::default(), "{text:?}");
     }
@@ -142,7 +142,7 @@ fn a_text_without_faces_is_an_empty_mesh() {
 
 #[test]
 fn what_is_written_reads_back_bit_for_bit() {
-    for kind in Kind::ALL {
+    for kind in MeshKind::ALL {
         let made = generate(kind, 2000, 5);
         let mut file = Vec::new();
         made.to_obj(&mut file).unwrap();

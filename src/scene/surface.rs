@@ -151,6 +151,3 @@ fn to_world(transform: Option<&Transform>, own: &SurfacePoint) -> (DVec3, DVec3,
     let error = rounding(point) + transform.round_trip_error(point);
     (point, unit, own_clearance + unit.abs().dot(error))
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,30 +1,30 @@
-//! OBJ text as tobj reads it faithfully.
+//! OBJ text in the form in which tobj reads it correctly.
 //!
-//! A reader that hands tobj the lines that matter, most of them as slices of the text itself:
-//! * `v`, `vn` and `f` without remarks; nothing else, so there is one model, and vertices that
+//! A reader that passes on the lines that matter, most of them as slices of the text itself:
+//! * `v`, `vn` and `f` without comments; nothing else, so there is one model, and vertices that
 //!   groups share stay shared. Texture coordinates are left out with the rest.
 //! * `v` without colours.
 //! * Faces with an index that is 0, no number, or before the first vertex, and with fewer than three
-//!   corners, end the reading with a [`Fault`]; and so do those that point behind the last vertex,
+//!   corners, end the reading with a [`Fault`]; and so do those with an index past the last vertex,
 //!   once the last is known.
-//! * In a file that has normals, corners that have none point to one more normal of length 0,
-//!   written behind the last line.
+//! * In a file that has normals, corners that have none refer to one more normal of length 0,
+//!   written after the last line.
 
 use std::fmt::Write as _;
 use std::io::{self, BufRead, Read};
 
 use super::Fault;
 use super::corner::parse_corner;
-use super::lines::{Line, Lines, lines, split_keyword};
+use super::lines::{Lines, ObjLine, lines, split_keyword};
 
-/// See the module's text.
-pub(super) struct Faithful<'a> {
+/// A reader of OBJ text for tobj; see the module.
+pub(super) struct TobjInput<'a> {
     text: &'a str,
     lines: Lines<'a>,
-    counts: Counts,
-    /// The largest index of a face, and the face, for positions and for normals.
-    furthest: [(usize, Option<Line<'a>>); 2],
-    /// How many normals the text has, once a corner without one asks for it.
+    counts: VertexCounts,
+    /// The largest index in any face, and that face, for positions and for normals.
+    furthest: [(usize, Option<ObjLine<'a>>); 2],
+    /// How many normals the text has, once a corner without one needs it.
     all_normals: Option<usize>,
     needs_zero_normal: bool,
     ended: bool,
@@ -34,7 +34,7 @@ pub(super) struct Faithful<'a> {
 
 /// How many vertices and normals there were so far.
 #[derive(Clone, Copy, Default)]
-struct Counts {
+struct VertexCounts {
     positions: usize,
     normals: usize,
 }
@@ -43,23 +43,23 @@ struct Counts {
 enum Current<'a> {
     /// A part of the text.
     Text(&'a [u8]),
-    /// A line in other words, and how much of it has been read.
+    /// A rewritten line, and how much of it has been read.
     Rewritten(String, usize),
 }
 
 /// What to do with a line.
-enum Verdict<'a> {
+enum LineUse<'a> {
     Skip,
     Keep(&'a str),
     Rewrite(String),
 }
 
-impl<'a> Faithful<'a> {
+impl<'a> TobjInput<'a> {
     pub(super) fn new(text: &'a str) -> Self {
         Self {
             text,
             lines: lines(text),
-            counts: Counts::default(),
+            counts: VertexCounts::default(),
             furthest: [(0, None), (0, None)],
             all_normals: None,
             needs_zero_normal: false,
@@ -77,10 +77,10 @@ impl<'a> Faithful<'a> {
     /// Finds the next line that matters; `None` at the end.
     fn next_line(&mut self) -> Result<Option<Current<'a>>, Fault> {
         while let Some(line) = self.lines.next() {
-            match self.judge(&line)? {
-                Verdict::Skip => {}
-                Verdict::Keep(text) => return Ok(Some(Current::Text(text.as_bytes()))),
-                Verdict::Rewrite(text) => return Ok(Some(Current::Rewritten(text, 0))),
+            match self.use_of(&line)? {
+                LineUse::Skip => {}
+                LineUse::Keep(text) => return Ok(Some(Current::Text(text.as_bytes()))),
+                LineUse::Rewrite(text) => return Ok(Some(Current::Rewritten(text, 0))),
             }
         }
         if self.ended {
@@ -92,7 +92,7 @@ impl<'a> Faithful<'a> {
         Ok(Some(Current::Rewritten(last.to_owned(), 0)))
     }
 
-    fn judge(&mut self, line: &Line<'a>) -> Result<Verdict<'a>, Fault> {
+    fn use_of(&mut self, line: &ObjLine<'a>) -> Result<LineUse<'a>, Fault> {
         let content = line.content();
         let (keyword, values) = split_keyword(&content);
         let kept = match keyword {
@@ -106,19 +106,19 @@ impl<'a> Faithful<'a> {
             }
             "f" => {
                 if self.check_face(values, line)? {
-                    return Ok(Verdict::Rewrite(self.with_zero_normals(values)));
+                    return Ok(LineUse::Rewrite(self.with_zero_normals(values)));
                 }
                 &content
             }
-            _ => return Ok(Verdict::Skip),
+            _ => return Ok(LineUse::Skip),
         };
-        // Blanks around the words do no harm; a remark, colours and joined lines do.
+        // Blanks around the words do no harm; a comment, colours and joined lines do.
         let plain = kept.len() == line.raw.trim_ascii().len();
-        Ok(if plain { Verdict::Keep(line.raw) } else { Verdict::Rewrite(format!("{kept}\n")) })
+        Ok(if plain { LineUse::Keep(line.raw) } else { LineUse::Rewrite(format!("{kept}\n")) })
     }
 
     /// Checks the corners of a face; whether one lacks a normal that the file has for others.
-    fn check_face(&mut self, corners: &str, line: &Line<'a>) -> Result<bool, Fault> {
+    fn check_face(&mut self, corners: &str, line: &ObjLine<'a>) -> Result<bool, Fault> {
         let (mut number, mut lacks) = (0, false);
         for corner in corners.split_ascii_whitespace() {
             number += 1;
@@ -138,7 +138,7 @@ impl<'a> Faithful<'a> {
         Ok(lacks && self.all_normals() > 0)
     }
 
-    fn check_index(&mut self, index: i64, of: Index, line: &Line<'a>) -> Result<(), Fault> {
+    fn check_index(&mut self, index: i64, of: Index, line: &ObjLine<'a>) -> Result<(), Fault> {
         let before = of.count(self.counts);
         if index == 0 {
             return Err(at(line, format!("the {} index is 0: indices start at 1", of.name())));
@@ -193,7 +193,7 @@ impl<'a> Faithful<'a> {
         face
     }
 
-    /// How many normals the whole text has; counted once, when first asked for.
+    /// How many normals the whole text has; counted once, when first needed.
     fn all_normals(&mut self) -> usize {
         let text = self.text;
         *self.all_normals.get_or_insert_with(|| {
@@ -202,7 +202,7 @@ impl<'a> Faithful<'a> {
     }
 }
 
-/// What an index of a corner points to.
+/// What an index of a corner refers to.
 #[derive(Clone, Copy)]
 enum Index {
     Position,
@@ -217,7 +217,7 @@ impl Index {
         }
     }
 
-    fn count(self, counts: Counts) -> usize {
+    fn count(self, counts: VertexCounts) -> usize {
         match self {
             Self::Position => counts.positions,
             Self::Normal => counts.normals,
@@ -236,7 +236,7 @@ fn without_color(content: &str) -> &str {
     &content[..end]
 }
 
-fn at(line: &Line<'_>, what: String) -> Fault {
+fn at(line: &ObjLine<'_>, what: String) -> Fault {
     let help = "a face is `f` and three or more corners, each `v`, `v/vt`, `v//vn` or `v/vt/vn`, \
                 counted from 1, or from the last one back: -1, -2, …";
     Fault { line: line.number, text: line.shown(), what, help: help.to_owned() }
@@ -251,7 +251,7 @@ fn been(count: usize) -> String {
     }
 }
 
-impl BufRead for Faithful<'_> {
+impl BufRead for TobjInput<'_> {
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
         while self.fault.is_none() && self.rest().is_empty() {
             match self.next_line() {
@@ -274,7 +274,7 @@ impl BufRead for Faithful<'_> {
     }
 }
 
-impl Faithful<'_> {
+impl TobjInput<'_> {
     fn rest(&self) -> &[u8] {
         match &self.current {
             Current::Text(text) => text,
@@ -283,7 +283,7 @@ impl Faithful<'_> {
     }
 }
 
-impl Read for Faithful<'_> {
+impl Read for TobjInput<'_> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let read = self.fill_buf()?.read(buffer)?;
         self.consume(read);
