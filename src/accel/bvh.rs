@@ -1,10 +1,10 @@
 //! obvhs's binary tree, walked by this project's own slab test.
 //!
-//! The tree is built by clustering and improved by reinsertion (`builder/`), its leaves are collapsed by
-//! the surface area heuristic, and it is improved once more: all by obvhs. obvhs's own traversal prunes
-//! with `<` and without
-//! padding, so it cannot keep the contract of [`Accel`]. The walk below does; for it, the boxes of
-//! both children are laid side by side in their parent, a cache line for each pair.
+//! The tree is built by clustering and improved by reinsertion (`builder/`), its leaves are collapsed
+//! by the surface area heuristic, and it is improved once more: all by obvhs. obvhs's own traversal
+//! prunes with `<` and without padding, so it cannot keep the contract of [`Accel`]. The walk below
+//! does; for it, the boxes of both children are laid side by side in their parent, a cache line for
+//! each pair.
 
 mod save;
 

@@ -136,7 +136,7 @@ impl Work<'_> {
         let estimates = self.estimates(samples);
         let mut fit = pictures::that_fit(&estimates, budget.share(0.2).left());
         self.note_missing(&fit, &estimates, "heatmap");
-        // Yardsticks count no tests.
+        // Peers count no tests.
         fit.retain(|&i| !self.entrants[i].structure.peer);
         let (scale, maps) = pictures::heatmaps(&mut self.entrants, &fit, &settings, &self.stage);
         self.outcome.record.heat_scale = scale;
