@@ -74,7 +74,7 @@ fn exit(partial: bool, fine: bool, in_vain: bool) -> Exit {
 /// Prints the table and what changed; whether all is well.
 fn tell_outcome(
     arguments: &CompareArguments,
-    outcome: &compare::Outcome,
+    outcome: &compare::ComparisonResult,
     folder: &Path,
 ) -> Result<bool, Failure> {
     let mut text = terminal::write(&outcome.comparison);

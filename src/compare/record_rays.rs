@@ -1,41 +1,65 @@
-//! The same rays for all: each class's rays of a scene, recorded once from a small rendering.
+//! The same rays for all structures: those of each class that a small rendering sends, recorded once.
 //!
-//! Who traces during the recording does not matter: all structures give the same hits, so the
-//! same rays follow. The rendering runs on one thread, so that rays stand in the order in which a
+//! Which structure traces during the recording does not matter: all give the same hits, so the same
+//! rays follow. The rendering runs on one thread, so that rays stand in the order in which a
 //! renderer's thread sends them, and are the same in every run.
 
 use std::sync::Mutex;
 use std::sync::PoisonError;
 
-use crate::accel::Tracer;
+use crate::accel::{BuildConfig, Bvh, Tracer};
 use crate::math::Ray;
 use crate::record::RayClass;
 use crate::render::{self, Settings, render};
-use crate::scene::Scene;
+use crate::scene::{Scene, Structure, TracedWorld};
 
-use super::plan::fit;
+use super::context::SceneContext;
+use super::picture_size::fit_pixels;
 
-/// View samples of the rendering that tells how many rays follow from each.
-const PROBE_SAMPLES: u32 = 2_000;
+/// View samples of the small rendering that shows how many rays follow from each.
+const TRIAL_SAMPLES: u32 = 2_000;
 
 /// View samples of the recording, if few rays follow from each.
 const MOST_SAMPLES: u32 = 60_000;
 
-/// What is asked of a ray.
+/// The structure that traces during a recording.
+const RECORDING_STRUCTURE: Structure = Structure::new::<Bvh, Bvh>("bvh", "obvhs's binary tree");
+
+/// What is to be found out about a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Query {
     /// The closest hit.
     Closest,
-    /// Whether there is any.
+    /// Whether there is any hit.
     Any,
 }
 
 /// The rays of a class.
 #[derive(Clone, Debug)]
-pub(super) struct RaySet {
-    pub(super) class: RayClass,
+pub struct RaySet {
+    /// The class.
+    pub class: RayClass,
+    /// The rays, in the order in which a renderer sends them.
+    pub rays: Vec<Ray>,
     pub(super) query: Query,
-    pub(super) rays: Vec<Ray>,
+}
+
+impl RaySet {
+    /// Rays of which the closest hits are searched.
+    pub(super) fn closest_hit(class: RayClass, rays: Vec<Ray>) -> Self {
+        Self { class, rays, query: Query::Closest }
+    }
+
+    /// Rays of which it is searched whether anything blocks them.
+    pub(super) fn any_hit(class: RayClass, rays: Vec<Ray>) -> Self {
+        Self { class, rays, query: Query::Any }
+    }
+
+    /// At most `count` of its rays, evenly spread.
+    #[must_use]
+    pub fn spread(&self, count: usize) -> Self {
+        Self { rays: spread(&self.rays, count), ..*self }
+    }
 }
 
 /// The rays of a scene.
@@ -47,13 +71,6 @@ pub(super) struct Recording {
     pub(super) per_sample: Vec<(RayClass, f64)>,
 }
 
-impl Recording {
-    /// Rays of a class for each view sample; 0 for those that a renderer does not send.
-    pub(super) fn rays_per_sample(&self, class: RayClass) -> f64 {
-        self.per_sample.iter().find(|(other, _)| *other == class).map_or(0.0, |(_, rays)| *rays)
-    }
-}
-
 /// How much is recorded.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
@@ -63,20 +80,37 @@ pub(super) struct Limits {
     pub(super) traced: u64,
 }
 
-/// Records the rays that a renderer sends for a picture. On the threads of the current rayon pool,
-/// which should be one.
+/// The structure that traces during a recording, built on all threads.
+pub(super) fn recording_tracer(context: &SceneContext<'_>) -> Box<dyn TracedWorld> {
+    let build = || RECORDING_STRUCTURE.build(context.scene, &BuildConfig::default());
+    context.pools.all.install(build)
+}
+
+/// Records the rays that a renderer sends for a picture, at most `traced` of all classes together.
 pub(super) fn record(
+    context: &SceneContext<'_>,
+    tracer: &dyn Tracer,
+    picture: &Settings,
+    traced: u64,
+) -> Recording {
+    let limits = Limits { per_class: context.plan.rays_per_class, traced };
+    let record = || record_here(context.scene, tracer, picture, limits, context.cancelled);
+    context.pools.one.install(record)
+}
+
+/// Records on the threads of the current rayon pool, which should be one.
+fn record_here(
     scene: &Scene,
     tracer: &dyn Tracer,
     picture: &Settings,
     limits: Limits,
     cancelled: &(dyn Fn() -> bool + Sync),
 ) -> Recording {
-    let probe = Recorder::new(limits.per_class, cancelled);
-    let sent = render(scene, tracer, &small(picture, PROBE_SAMPLES), &probe).stats.total_rays();
-    let per_sample = (sent / u64::from(PROBE_SAMPLES)).max(1);
+    let trial = Recorder::new(limits.per_class, cancelled);
+    let sent = render(scene, tracer, &small(picture, TRIAL_SAMPLES), &trial).stats.total_rays();
+    let per_sample = (sent / u64::from(TRIAL_SAMPLES)).max(1);
     let affordable = u32::try_from(limits.traced / per_sample).unwrap_or(u32::MAX);
-    let settings = small(picture, affordable.clamp(PROBE_SAMPLES, MOST_SAMPLES));
+    let settings = small(picture, affordable.clamp(TRIAL_SAMPLES, MOST_SAMPLES));
     let recorder = Recorder::new(limits.per_class, cancelled);
     let stats = render(scene, tracer, &settings, &recorder).stats;
     let samples = f64::from(settings.width * settings.height * settings.samples_per_pixel());
@@ -90,9 +124,7 @@ pub(super) fn record(
 /// The picture, so small that it takes about as many view samples.
 fn small(picture: &Settings, samples: u32) -> Settings {
     let pixels = f64::from(samples / picture.samples_per_pixel()).max(1.0);
-    let (width, height) = (f64::from(picture.width), f64::from(picture.height));
-    let side = (pixels / (width * height)).sqrt() * width.max(height);
-    let [width, height] = fit([picture.width, picture.height], (side as u32).max(1));
+    let [width, height] = fit_pixels([picture.width, picture.height], pixels);
     Settings { width, height, crop: None, ..picture.clone() }
 }
 
@@ -119,12 +151,11 @@ impl<'a> Recorder<'a> {
 
     fn sets(self, scene: &Scene) -> Vec<RaySet> {
         // Through transparent objects the renderer follows shadow rays from hit to hit.
-        let shadow = if scene.has_transparency() { Query::Closest } else { Query::Any };
+        let opaque = !scene.has_transparency();
         let kept = self.kept.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let set = |(class, thinned): (render::RayClass, Thinned)| RaySet {
-            class: class_of(class),
-            query: if class == render::RayClass::Shadow { shadow } else { Query::Closest },
-            rays: thinned.rays,
+        let set = |(class, thinned): (render::RayClass, Thinned)| match class {
+            render::RayClass::Shadow if opaque => RaySet::any_hit(class_of(class), thinned.rays),
+            _ => RaySet::closest_hit(class_of(class), thinned.rays),
         };
         let sets = render::RayClass::ALL.into_iter().zip(kept).map(set);
         sets.filter(|set| !set.rays.is_empty()).collect()
@@ -144,8 +175,8 @@ impl render::Observer for Recorder<'_> {
     }
 }
 
-/// At most so many rays, evenly spread over all that come: every second is dropped, and from then
-/// on skipped, whenever there are too many.
+/// At most so many rays, evenly spread over all that are recorded: whenever there are too many, every
+/// second one is dropped, and from then on skipped.
 #[derive(Debug)]
 struct Thinned {
     rays: Vec<Ray>,
@@ -204,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn a_spread_has_as_many_as_asked() {
+    fn a_spread_has_as_many_rays_as_requested() {
         let origins =
             |count| spread(&rays(9), count).iter().map(|r| r.origin.x).collect::<Vec<_>>();
         assert_eq!(origins(3), [0.0, 3.0, 6.0]);

@@ -18,12 +18,21 @@ pub enum RayClass {
     Diffuse,
     /// Uniformly random through the scene's box.
     Random,
+    /// Parallel, along an axis of the scene's box: as a height field is probed.
+    Probe,
 }
 
 impl RayClass {
     /// All classes, in the order of reports.
-    pub const ALL: [Self; 6] =
-        [Self::View, Self::Shadow, Self::Mirror, Self::Refraction, Self::Diffuse, Self::Random];
+    pub const ALL: [Self; 7] = [
+        Self::View,
+        Self::Shadow,
+        Self::Mirror,
+        Self::Refraction,
+        Self::Diffuse,
+        Self::Random,
+        Self::Probe,
+    ];
 
     /// The name in reports, as in the record.
     #[must_use]
@@ -35,6 +44,7 @@ impl RayClass {
             Self::Refraction => "refraction",
             Self::Diffuse => "diffuse",
             Self::Random => "random",
+            Self::Probe => "probe",
         }
     }
 }

@@ -28,5 +28,5 @@ pub use light_samples::{Dealt, LightSamples};
 pub use observer::{Observer, Silent};
 pub use settings::{Crop, Sampling, Settings, View};
 pub use stats::{ClassStats, RayClass, RenderStats};
-pub use tiles::{Rendering, Sight, render};
+pub use tiles::{Rendering, Sight, pixel_order, render};
 pub use times::{Stage, StageTimes};

@@ -153,6 +153,12 @@ fn render_tile(context: &Context<'_>, batch: &mut Batch, area: Crop) -> Option<T
     Some(Tile { pixels, stats })
 }
 
+/// The columns and rows of a picture's pixels, in the order in which a single thread renders them.
+pub fn pixel_order(width: u32, height: u32) -> impl Iterator<Item = [u32; 2]> {
+    let tiles = tiles_of(Crop { x0: 0, y0: 0, x1: width, y1: height });
+    tiles.into_iter().flat_map(pixels_of).map(|pixel| [pixel.x, pixel.y])
+}
+
 /// The pixels of a tile along Morton's curve: pixels that follow each other lie in a small square,
 /// whatever their number, and so do the rays through them.
 fn pixels_of(area: Crop) -> Vec<Pixel> {

@@ -1,10 +1,27 @@
-//! What pictures are told apart by.
-
-use std::fmt::Write;
+//! The pictures of a comparison as files: their names, and the hashes of their pixels.
 
 use sha2::{Digest, Sha256};
 
 use crate::image_io::Picture;
+use crate::record::PictureFile;
+
+use super::sources::hexadecimal;
+
+/// The file of a scene's picture.
+pub(crate) fn picture_name(scene: &str) -> String {
+    format!("{scene}.png")
+}
+
+/// The file of a structure's heatmap of a scene.
+pub(crate) fn heatmap_name(scene: &str, structure: &str) -> String {
+    format!("{scene}-heatmap-{structure}.png")
+}
+
+/// A picture in a file, as the record names it.
+pub(super) fn picture_file(file: String, picture: &Picture) -> PictureFile {
+    let hash = picture_hash(picture);
+    PictureFile { file, width: picture.width, height: picture.height, hash }
+}
 
 /// SHA-256 of the pixels, row by row from the top left: red, green and blue as little-endian
 /// 32-bit floats; hexadecimal.
@@ -15,10 +32,7 @@ pub(super) fn picture_hash(picture: &Picture) -> String {
             hash.update(channel.to_le_bytes());
         }
     }
-    hash.finalize().iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}"); // writing to a string cannot fail
-        text
-    })
+    hexadecimal(&hash.finalize())
 }
 
 #[cfg(test)]
