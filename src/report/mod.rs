@@ -22,11 +22,12 @@ pub mod html;
 pub mod json;
 mod limits;
 pub mod markdown;
-mod numbers;
+pub(crate) mod numbers;
 mod plot;
 mod sampling_verdict;
 mod tables;
 pub mod terminal;
 mod verdict;
 
+pub use tables::{Cell, Column, Table};
 pub use verdict::verdict;

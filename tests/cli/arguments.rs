@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use srt::scene::STRUCTURES;
+
 use crate::support::{Run, folder, refused, run_in};
 
 #[test]
@@ -46,11 +48,6 @@ fn help_names_every_option_and_exit_code() {
         "mesh",
         "completions",
         "man",
-        "none",
-        "ball",
-        "bvh",
-        "cwbvh",
-        "bvh8",
         "fastest",
         "slowest",
         "shuffled",
@@ -63,6 +60,11 @@ fn help_names_every_option_and_exit_code() {
         "top left",
     ] {
         assert!(help.contains(word), "the help does not mention {word}:\n{help}");
+    }
+    for structure in STRUCTURES {
+        for word in [structure.name, structure.summary] {
+            assert!(help.contains(word), "the help does not mention {word}:\n{help}");
+        }
     }
     for subcommand in ["compare", "report", "check", "diff", "mesh", "completions", "man"] {
         let Run { code, stdout: help, .. } = run_in(Path::new("."), &[subcommand, "--help"]);
@@ -93,7 +95,7 @@ fn values_are_checked() {
     with("--size", "0x60", &["between 1 and"]);
     with("--crop", "1,2,3", &["x0,y0,x1,y1"]);
     with("--crop", "5,0,5,9", &["empty"]);
-    with("--accel", "bhv", &["none", "ball", "bvh", "cwbvh"]);
+    with("--accel", "bhv", &STRUCTURES.iter().map(|one| one.name).collect::<Vec<_>>());
     with("--build", "slower", &["fastest", "slowest"]);
     with("--threads", "0", &["--threads", "from 1 to 1024"]);
     with("--threads", "x", &["--threads", "expected a whole number from 1 to 1024"]);
@@ -187,7 +189,7 @@ mod unix {
 
     use super::*;
 
-    /// The system's root may write everywhere, and such tests say nothing about it.
+    /// The system's root may write everywhere, and cannot be tested so.
     fn may_write_anywhere(folder: &Path) -> bool {
         fs::write(folder.join("probe"), "").is_ok()
     }
