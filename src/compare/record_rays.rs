@@ -10,7 +10,7 @@ use std::sync::PoisonError;
 use crate::accel::{BuildConfig, Bvh, Tracer};
 use crate::math::Ray;
 use crate::record::RayClass;
-use crate::render::{self, Settings, render};
+use crate::render::{self, RenderStats, Settings, render};
 use crate::scene::{Scene, Structure, TracedWorld};
 
 use super::context::SceneContext;
@@ -45,12 +45,12 @@ pub struct RaySet {
 }
 
 impl RaySet {
-    /// Rays of which the closest hits are searched.
+    /// Rays whose query is the closest hit.
     pub(super) fn closest_hit(class: RayClass, rays: Vec<Ray>) -> Self {
         Self { class, rays, query: Query::Closest }
     }
 
-    /// Rays of which it is searched whether anything blocks them.
+    /// Rays whose query is whether they hit anything.
     pub(super) fn any_hit(class: RayClass, rays: Vec<Ray>) -> Self {
         Self { class, rays, query: Query::Any }
     }
@@ -71,54 +71,44 @@ pub(super) struct Recording {
     pub(super) per_sample: Vec<(RayClass, f64)>,
 }
 
-/// How much is recorded.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Limits {
-    /// Rays of a class.
-    pub(super) per_class: usize,
-    /// Rays that the recording may trace in all.
-    pub(super) traced: u64,
-}
-
 /// The structure that traces during a recording, built on all threads.
 pub(super) fn recording_tracer(context: &SceneContext<'_>) -> Box<dyn TracedWorld> {
     let build = || RECORDING_STRUCTURE.build(context.scene, &BuildConfig::default());
     context.pools.all.install(build)
 }
 
-/// Records the rays that a renderer sends for a picture, at most `traced` of all classes together.
+/// Records the rays that a renderer sends for a picture, on one thread. Tracing them all takes at most
+/// `traced` rays.
 pub(super) fn record(
     context: &SceneContext<'_>,
     tracer: &dyn Tracer,
     picture: &Settings,
     traced: u64,
 ) -> Recording {
-    let limits = Limits { per_class: context.plan.rays_per_class, traced };
-    let record = || record_here(context.scene, tracer, picture, limits, context.cancelled);
-    context.pools.one.install(record)
+    context.pools.one.install(|| {
+        let trial = render_recorded(context, tracer, &small(picture, TRIAL_SAMPLES)).1;
+        let per_sample = (trial.total_rays() / u64::from(TRIAL_SAMPLES)).max(1);
+        let affordable = u32::try_from(traced / per_sample).unwrap_or(u32::MAX);
+        let settings = small(picture, affordable.clamp(TRIAL_SAMPLES, MOST_SAMPLES));
+        let (recorder, stats) = render_recorded(context, tracer, &settings);
+        let samples = f64::from(settings.width * settings.height * settings.samples_per_pixel());
+        let rate = |class| stats.class(class).rays as f64 / samples;
+        Recording {
+            sets: recorder.sets(context.scene),
+            per_sample: render::RayClass::ALL.map(|class| (class_of(class), rate(class))).into(),
+        }
+    })
 }
 
-/// Records on the threads of the current rayon pool, which should be one.
-fn record_here(
-    scene: &Scene,
+/// Renders, and records the rays on the way.
+fn render_recorded<'a>(
+    context: &SceneContext<'a>,
     tracer: &dyn Tracer,
-    picture: &Settings,
-    limits: Limits,
-    cancelled: &(dyn Fn() -> bool + Sync),
-) -> Recording {
-    let trial = Recorder::new(limits.per_class, cancelled);
-    let sent = render(scene, tracer, &small(picture, TRIAL_SAMPLES), &trial).stats.total_rays();
-    let per_sample = (sent / u64::from(TRIAL_SAMPLES)).max(1);
-    let affordable = u32::try_from(limits.traced / per_sample).unwrap_or(u32::MAX);
-    let settings = small(picture, affordable.clamp(TRIAL_SAMPLES, MOST_SAMPLES));
-    let recorder = Recorder::new(limits.per_class, cancelled);
-    let stats = render(scene, tracer, &settings, &recorder).stats;
-    let samples = f64::from(settings.width * settings.height * settings.samples_per_pixel());
-    let rate = |class| stats.class(class).rays as f64 / samples;
-    Recording {
-        sets: recorder.sets(scene),
-        per_sample: render::RayClass::ALL.map(|class| (class_of(class), rate(class))).into(),
-    }
+    settings: &Settings,
+) -> (Recorder<'a>, RenderStats) {
+    let recorder = Recorder::new(context.plan.rays_per_class, context.cancelled);
+    let stats = render(context.scene, tracer, settings, &recorder).stats;
+    (recorder, stats)
 }
 
 /// The picture, so small that it takes about as many view samples.
@@ -128,8 +118,8 @@ fn small(picture: &Settings, samples: u32) -> Settings {
     Settings { width, height, crop: None, ..picture.clone() }
 }
 
-/// The record's name of a renderer's class.
-pub(super) fn class_of(class: render::RayClass) -> RayClass {
+/// A renderer's class as a class of the record.
+fn class_of(class: render::RayClass) -> RayClass {
     match class {
         render::RayClass::View => RayClass::View,
         render::RayClass::Shadow => RayClass::Shadow,

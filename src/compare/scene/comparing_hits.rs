@@ -14,7 +14,7 @@ use crate::compare::proof::{check_rays, expected, time_for_class};
 use crate::compare::trial::time_of_all;
 use crate::record::Proof;
 
-use super::picture_times::{estimates, picture_budget, that_fit, view_samples, with_builds};
+use super::picture_times::{PictureTimes, picture_budget};
 use super::recording::SceneRays;
 
 /// Compares all results with the reference's; `None` if no structure can be that.
@@ -24,10 +24,10 @@ pub(super) fn compare_hits(
     rays: &SceneRays,
     budget: Budget,
 ) -> Option<Proof> {
-    let samples = view_samples(&context.picture_settings());
-    let pictures = estimates(candidates, rays, samples, context.plan.threads);
-    let fit = that_fit(&with_builds(candidates, &pictures), picture_budget(budget).left());
-    let reference = reference(candidates, rays, &fit)?;
+    let (settings, time) = (context.picture_settings(), picture_budget(budget));
+    let pictures =
+        PictureTimes::of_builds_and_renderings(context, candidates, rays, &settings, time);
+    let reference = reference(candidates, rays, &pictures.fit)?;
     let time = time_for_class(budget.left(), candidates.len(), rays.sets.len());
     let times = &rays.times;
     let expected = expected(&mut candidates[reference], &rays.sets, &times[reference], time);

@@ -8,7 +8,7 @@ use crate::image_io::Picture;
 use crate::record::{HeatScale, Spacing};
 use crate::render::{self, Scale, Settings, Sight, View, heat_picture};
 
-use super::picture_times::{estimates, note_missing, that_fit};
+use super::picture_times::PictureTimes;
 use super::recording::SceneRays;
 
 /// The share of what is left of a scene's budget that its heatmaps may take.
@@ -36,10 +36,10 @@ pub(super) fn draw_all(
     budget: Budget,
 ) -> Heatmaps {
     let settings = Settings { aa: 0, view: View::Heatmap, ..context.picture_settings() };
-    let samples = f64::from(settings.width) * f64::from(settings.height);
-    let times = estimates(candidates, rays, samples, context.plan.threads);
-    let mut fit = that_fit(&times, budget.share(SHARE_OF_HEATMAPS).left());
-    let notes = note_missing(candidates, &fit, &times, "heatmap");
+    let budget = budget.share(SHARE_OF_HEATMAPS);
+    let times = PictureTimes::of_renderings(context, candidates, rays, &settings, budget);
+    let notes = times.note_missing(candidates, "heatmap");
+    let mut fit = times.fit;
     fit.retain(|&i| !candidates[i].is_peer());
     let mut fields = Vec::new();
     for index in fit {

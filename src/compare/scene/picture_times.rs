@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use crate::compare::budget::Budget;
 use crate::compare::candidate::Candidate;
+use crate::compare::context::SceneContext;
 use crate::compare::trial::RayTimes;
 use crate::record::RayClass;
 use crate::render::Settings;
@@ -26,19 +27,69 @@ pub(super) fn view_samples(settings: &Settings) -> f64 {
     f64::from(settings.width) * f64::from(settings.height) * f64::from(settings.samples_per_pixel())
 }
 
-/// How long each structure needs for so many view samples and all rays that follow from them; `None`
-/// if it cannot trace.
-pub(super) fn estimates(
+/// How long a picture will take each structure, and which of them have time for it.
+pub(super) struct PictureTimes {
+    /// `None` for structures that cannot trace. Without the builds.
+    pub(super) times: Vec<Option<Duration>>,
+    /// The places of those that have time for the picture.
+    pub(super) fit: Vec<usize>,
+}
+
+impl PictureTimes {
+    /// Of renderings alone.
+    pub(super) fn of_renderings(
+        context: &SceneContext<'_>,
+        candidates: &[Candidate<'_>],
+        rays: &SceneRays,
+        settings: &Settings,
+        budget: Budget,
+    ) -> Self {
+        let times = estimates(context, candidates, rays, settings);
+        let fit = that_fit(&times, budget.left());
+        Self { times, fit }
+    }
+
+    /// Of builds and the renderings after them.
+    pub(super) fn of_builds_and_renderings(
+        context: &SceneContext<'_>,
+        candidates: &[Candidate<'_>],
+        rays: &SceneRays,
+        settings: &Settings,
+        budget: Budget,
+    ) -> Self {
+        let times = estimates(context, candidates, rays, settings);
+        let with_build = |(candidate, time): (&Candidate<'_>, &Option<Duration>)| {
+            Some((*time)?.saturating_add(candidate.build_report()?.time))
+        };
+        let with_builds: Vec<_> = candidates.iter().zip(&times).map(with_build).collect();
+        let fit = that_fit(&with_builds, budget.left());
+        Self { times, fit }
+    }
+
+    /// One sentence about all that have no time for the picture.
+    pub(super) fn note_missing(&self, candidates: &[Candidate<'_>], what: &str) -> Option<String> {
+        let missing = |(index, candidate): (usize, &Candidate<'_>)| {
+            let time = self.times[index].filter(|_| !self.fit.contains(&index))?;
+            Some(format!("`{}` (about {})", candidate.name(), in_words(time)))
+        };
+        let missing: Vec<String> = candidates.iter().enumerate().filter_map(missing).collect();
+        (!missing.is_empty())
+            .then(|| format!("there was no time for a {what} with {}.", missing.join(", ")))
+    }
+}
+
+/// How long each structure needs for a picture's view samples and all rays that follow from them.
+fn estimates(
+    context: &SceneContext<'_>,
     candidates: &[Candidate<'_>],
     rays: &SceneRays,
-    samples: f64,
-    threads: usize,
+    settings: &Settings,
 ) -> Vec<Option<Duration>> {
-    let times = rays.times.iter().zip(candidates);
+    let (samples, threads) = (view_samples(settings), context.plan.threads);
     let estimate = |(times, candidate): (&RayTimes, &Candidate<'_>)| {
         estimate(rays, candidate.can_trace().then_some(times)?, samples, threads)
     };
-    times.map(estimate).collect()
+    rays.times.iter().zip(candidates).map(estimate).collect()
 }
 
 fn estimate(rays: &SceneRays, times: &RayTimes, samples: f64, threads: usize) -> Option<Duration> {
@@ -54,20 +105,9 @@ fn estimate(rays: &SceneRays, times: &RayTimes, samples: f64, threads: usize) ->
     Some(Duration::from_secs_f64((seconds / threads as f64).min(1e9)))
 }
 
-/// Times of pictures with those of the builds before them: a round of the picture builds anew.
-pub(super) fn with_builds(
-    candidates: &[Candidate<'_>],
-    times: &[Option<Duration>],
-) -> Vec<Option<Duration>> {
-    let with_build = |(candidate, time): (&Candidate<'_>, &Option<Duration>)| {
-        Some((*time)?.saturating_add(candidate.build_report()?.time))
-    };
-    candidates.iter().zip(times).map(with_build).collect()
-}
-
 /// Which structures have time for something, the quickest first: their times add up to no more
 /// than `budget`.
-pub(super) fn that_fit(times: &[Option<Duration>], budget: Duration) -> Vec<usize> {
+fn that_fit(times: &[Option<Duration>], budget: Duration) -> Vec<usize> {
     let mut known: Vec<(Duration, usize)> =
         times.iter().enumerate().filter_map(|(i, time)| Some(((*time)?, i))).collect();
     known.sort();
@@ -79,22 +119,6 @@ pub(super) fn that_fit(times: &[Option<Duration>], budget: Duration) -> Vec<usiz
     let mut fit: Vec<usize> = fits.map(|(_, index)| index).collect();
     fit.sort_unstable();
     fit
-}
-
-/// One sentence about all that had no time for a picture.
-pub(super) fn note_missing(
-    candidates: &[Candidate<'_>],
-    fit: &[usize],
-    estimates: &[Option<Duration>],
-    what: &str,
-) -> Option<String> {
-    let missing = |(index, candidate): (usize, &Candidate<'_>)| {
-        let time = estimates[index].filter(|_| !fit.contains(&index))?;
-        Some(format!("`{}` (about {})", candidate.name(), in_words(time)))
-    };
-    let missing: Vec<String> = candidates.iter().enumerate().filter_map(missing).collect();
-    (!missing.is_empty())
-        .then(|| format!("there was no time for a {what} with {}.", missing.join(", ")))
 }
 
 /// A time that was estimated, with two figures.

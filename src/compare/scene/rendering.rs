@@ -1,7 +1,7 @@
 //! The fourth step: renders the scene's picture with all structures that have the time, in interleaved
 //! rounds from the build to the picture, and compares the pictures.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use crate::compare::budget::Budget;
 use crate::compare::candidate::{Candidate, position};
@@ -16,9 +16,7 @@ use crate::image_io::Picture;
 use crate::record::{PictureRound, Proof};
 use crate::render::Settings;
 
-use super::picture_times::{
-    estimates, note_missing, picture_budget, that_fit, view_samples, with_builds,
-};
+use super::picture_times::{PictureTimes, picture_budget, view_samples};
 use super::recording::SceneRays;
 
 /// The least side of a picture that proves anything.
@@ -49,16 +47,15 @@ pub(super) fn render_all(
 ) -> Rendered {
     let budget = picture_budget(budget);
     let settings = context.picture_settings();
-    let times = estimates(candidates, rays, view_samples(&settings), context.plan.threads);
-    let fit = that_fit(&with_builds(candidates, &times), budget.left());
+    let times =
+        PictureTimes::of_builds_and_renderings(context, candidates, rays, &settings, budget);
     let mut rendered = Rendered::default();
-    rendered.notes.extend(note_missing(candidates, &fit, &times, "picture"));
-    let pictures = measure(context, candidates, &fit, &settings, budget.share(0.5));
+    rendered.notes.extend(times.note_missing(candidates, "picture"));
+    let pictures = measure(context, candidates, &times.fit, &settings, budget.share(0.5));
     if let Some(proof) = proof {
         rendered.picture = compare_pictures(candidates, pictures, proof);
         let budget = budget.share(0.3);
-        let small =
-            compare_small_pictures(context, candidates, &settings, &fit, &times, proof, budget);
+        let small = compare_small_pictures(context, candidates, &settings, &times, proof, budget);
         rendered.notes.extend(small);
     }
     rendered
@@ -131,16 +128,15 @@ fn compare_small_pictures(
     context: &SceneContext<'_>,
     candidates: &mut [Candidate<'_>],
     settings: &Settings,
-    fit: &[usize],
-    times: &[Option<Duration>],
+    times: &PictureTimes,
     proof: &mut Proof,
     budget: Budget,
 ) -> Vec<String> {
     let mut notes = Vec::new();
-    let is_left = |i: &usize| !candidates[*i].is_peer() && !fit.contains(i);
+    let is_left = |i: &usize| !candidates[*i].is_peer() && !times.fit.contains(i);
     let left: Vec<usize> = (0..candidates.len()).filter(is_left).collect();
     for (done, &index) in left.iter().enumerate() {
-        let Some(time) = times[index] else { continue };
+        let Some(time) = times.times[index] else { continue };
         let share = budget.share(1.0 / (left.len() - done) as f64).left();
         let samples = view_samples(settings) * share.as_secs_f64() / time.as_secs_f64().max(1e-9);
         let settings = smaller(settings, samples / MARGIN);
