@@ -77,7 +77,7 @@ fn short_plan(seconds: f64) -> Plan {
     }
 }
 
-/// View rays alone, with enough time for some of them at half a millisecond each.
+/// View rays alone, with time for some of them at two milliseconds each.
 fn view_plan() -> Plan {
     Plan { classes: vec![RayClass::View], ..short_plan(8.0) }
 }
@@ -98,7 +98,7 @@ fn a_ray_that_is_beyond_the_budget_is_traced_once() {
 
 #[test]
 fn a_ratio_is_that_of_rays_that_both_traced() {
-    let slow = Structure::new::<Slow<500>, Exhaustive>("none", "half a millisecond a ray");
+    let slow = Structure::new::<Slow<2_000>, Exhaustive>("none", "two milliseconds a ray");
     let result = run(&view_plan(), &[named("bvh"), slow], &Silent).unwrap();
     let scene = &result.comparison.scenes[0];
     let (bvh, slow) = (scene.structure("bvh").unwrap(), scene.structure("none").unwrap());
@@ -115,7 +115,7 @@ fn a_ratio_is_that_of_rays_that_both_traced() {
 
 #[test]
 fn the_base_traces_the_rays_of_slower_ones_too() {
-    let slow = Structure::new::<Slow<500>, Exhaustive>("slow", "half a millisecond a ray");
+    let slow = Structure::new::<Slow<2_000>, Exhaustive>("slow", "two milliseconds a ray");
     let result = run(&view_plan(), &[named("bvh"), slow], &Silent).unwrap();
     let scene = &result.comparison.scenes[0];
     let own = scene.structure("slow").unwrap().class(RayClass::View).unwrap();
