@@ -1,7 +1,8 @@
 //! The files that a description names, and meshes made by rule: → data in memory.
 //!
-//! With `cli` the only layer that touches files. Knows nothing of tracing: a mesh leaves here as
-//! plain arrays with every index in range, every normal of unit length and no degenerate triangle.
+//! Reads files, as `cli` and, for its machine and its sources, `compare` do; no other layer does.
+//! Knows nothing of tracing: a mesh leaves here as plain arrays with every index in range, every
+//! normal of unit length and no degenerate triangle.
 
 mod error;
 pub mod generate;
