@@ -15,7 +15,7 @@ use crate::assets::generate::Kind;
 const EXAMPLES: &str = "\
 Examples:
   srt scene.sce picture.tga                        render
-  srt scene.sce picture.png --accel none --stats   the same picture without a structure, with figures
+  srt scene.sce picture.png --accel none --stats   without a structure, and with figures
   srt scene.sce detail.png --crop 90,50,190,150 --aa 8
   srt scene.sce cost.png --view heatmap            what the rays of each pixel tested
   srt scene.sce - --format png | display -         write to a pipe
@@ -82,7 +82,7 @@ pub(crate) struct CheckArguments {
     #[arg(value_name = "SCENE", required = true)]
     pub(crate) scenes: Vec<PathBuf>,
 
-    /// Take unknown commands of the scenes as warnings
+    /// Treat unknown commands of the scenes as warnings
     #[arg(long)]
     pub(crate) lenient: bool,
 }
@@ -126,7 +126,7 @@ pub(crate) struct MeshArguments {
         value_parser = values::triangles)]
     pub(crate) triangles: u32,
 
-    /// Where the random numbers start
+    /// The seed of the random numbers
     #[arg(long, value_name = "S", allow_negative_numbers = true, default_value_t = 0,
         value_parser = values::whole::<u64>(0, u64::MAX))]
     pub(crate) seed: u64,

@@ -45,7 +45,7 @@ pub(crate) struct CompareArguments {
         value_parser = named(&RayClass::ALL, RayClass::name))]
     pub(crate) classes: Vec<RayClass>,
 
-    /// How long a build may take for a better tree
+    /// The quality of the build: slower builds make better trees
     #[arg(long, value_name = "QUALITY", default_value = Quality::default().name(),
         value_parser = named(&Quality::ALL, Quality::name))]
     pub(crate) build: Quality,
@@ -76,7 +76,7 @@ pub(crate) struct CompareArguments {
         value_parser = whole::<u32>(0, u64::from(Options::MAX_AA)))]
     pub(crate) aa: Option<u32>,
 
-    /// Where random numbers start
+    /// The seed of the random numbers
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 0,
         value_parser = whole::<u64>(0, u64::MAX))]
     pub(crate) seed: u64,
@@ -108,7 +108,7 @@ pub(crate) struct CompareArguments {
         value_parser = percent, requires = "baseline")]
     pub(crate) fail_above: f64,
 
-    /// Take unknown commands of the scenes as warnings
+    /// Treat unknown commands of the scenes as warnings
     #[arg(long)]
     pub(crate) lenient: bool,
 

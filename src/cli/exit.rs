@@ -10,8 +10,8 @@ Exit codes:
   0    done; for `diff`: the pictures are equal; for `check`: all scenes are valid
   1    `diff`: the pictures differ; `check`: a scene is invalid; `compare`: the results of a
        structure differ, a structure failed, or something became slower than the baseline
-  2    trouble: bad arguments, a scene or file that cannot be read, an output that cannot be written;
-       `compare`: the baseline has nothing in common with the comparison
+  2    trouble: bad arguments, a scene or file that cannot be read, an output that cannot be
+       written; `compare`: the baseline has nothing in common with the comparison
   130  interrupted by Ctrl-C
   141  the reader of the output closed it";
 

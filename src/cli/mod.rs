@@ -10,11 +10,13 @@
 //! | `values.rs`, `choice.rs`, `structures.rs` | what the options take: numbers, names, structures |
 //! | `command_line.rs` | the definition with the structures of this program; what was typed |
 //! | `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
-//! | `render.rs`, `compare.rs`, `report.rs`, `check.rs`, `diff.rs`, `mesh.rs`, `completions.rs`, `man.rs` | the subcommands |
+//! | `render.rs`, `compare.rs`, `report.rs`, `check.rs`, `diff.rs`, `mesh.rs` | the subcommands |
+//! | `completions.rs`, `man.rs` | the subcommands that print the definition in other forms |
 //! | `output/` | where results go, whole or not at all |
 //! | `result_folder.rs`, `fingerprint.rs` | the files of a comparison; the hash of a scene's files |
 //! | `terminal.rs`, `interrupt.rs`, `progress.rs`, `compare_progress.rs` | the terminal |
-//! | `load.rs`, `source.rs`, `diagnose.rs`, `inventory.rs` | a scene from its file; what is wrong with it; what is in it |
+//! | `load.rs`, `source.rs` | a scene from its file |
+//! | `diagnose.rs`, `inventory.rs` | what is wrong with a scene; what is in it |
 //! | `image.rs` | what was rendered → the picture that is written |
 //! | `figures.rs`, `summary.rs` | the figures of a rendering, and their text |
 //! | `exit.rs` | how the command ends |

@@ -34,7 +34,7 @@ pub(crate) struct RenderArguments {
         help_heading = "Structure")]
     pub(crate) accel: Structure,
 
-    /// How long a build may take for a better tree
+    /// The quality of the build: slower builds make better trees
     #[arg(long, value_name = "QUALITY", default_value = Quality::default().name(),
         value_parser = named(&Quality::ALL, Quality::name), help_heading = "Structure")]
     pub(crate) build: Quality,
@@ -80,7 +80,7 @@ pub(crate) struct RenderArguments {
         help_heading = "Picture")]
     pub(crate) max_recursion: Option<u32>,
 
-    /// Where the random numbers of the samples start
+    /// The seed of the random numbers
     #[arg(
         long,
         value_name = "N",
@@ -105,7 +105,7 @@ pub(crate) struct RenderArguments {
         help_heading = "Output")]
     pub(crate) format: Option<Format>,
 
-    /// Take unknown commands of the scene as warnings
+    /// Treat unknown commands of the scene as warnings
     #[arg(long, help_heading = "Output")]
     pub(crate) lenient: bool,
 

@@ -6,8 +6,9 @@
 //! use srt::compare::measure::{FirstHits, fixed_rounds, timed, view_rays};
 //! use srt::scene::{STRUCTURES, Scene};
 //! # use srt::scene_file::{ParseOptions, parse};
-//! # let text = "sce1.0\neyepos 0 -5 0\neyedir 0 1 0\neyeup 0 0 1\nwdist 1\nfovy_deg 40\nnx 32\nny 32\nball 1 0 0 0\nend\n";
-//! # let parsed = parse(text, &ParseOptions::default()).unwrap();
+//! # let camera = "eyepos 0 -5 0\neyedir 0 1 0\neyeup 0 0 1\nwdist 1\nfovy_deg 40\nnx 32\nny 32\n";
+//! # let text = format!("sce1.0\n{camera}ball 1 0 0 0\nend\n");
+//! # let parsed = parse(&text, &ParseOptions::default()).unwrap();
 //! # let scene = Scene::new(&parsed.description, vec![]).unwrap();
 //! let worlds: Vec<_> =
 //!     STRUCTURES.iter().map(|one| one.build(&scene, &BuildConfig::default())).collect();

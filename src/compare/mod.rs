@@ -12,7 +12,8 @@
 //! | `plan.rs`, `budget.rs`, `observer.rs`, `progress.rs` | what to compare, the time for it, who watches |
 //! | `run.rs` | the whole plan |
 //! | `scene.rs`, `scene/` | one scene: its steps, one file each |
-//! | `context.rs`, `candidate.rs`, `pools.rs`, `panics.rs` | what the steps share: a scene, a structure with its row, threads |
+//! | `context.rs`, `pools.rs` | what the steps share: a scene and its plan, threads |
+//! | `candidate.rs`, `panics.rs` | a structure with its row of the report, and its panics |
 //! | `record_rays.rs`, `extra_rays.rs`, `trace.rs` | the same rays for all, and their results |
 //! | `proof.rs`, `agreement.rs` | whether results are equal, or a peer's close |
 //! | `rounds.rs`, `clock.rs`, `hardware.rs`, `trial.rs`, `replay.rs` | what is timed and counted |
@@ -38,8 +39,9 @@
 //! use srt::compare::{Plan, SceneInput, Silent, run};
 //! use srt::scene::{Scene, Structure, structure_named};
 //! # use srt::scene_file::{ParseOptions, parse};
-//! # let text = "sce1.0\neyepos 0 -5 0\neyedir 0 1 0\neyeup 0 0 1\nwdist 1\nfovy_deg 40\nnx 9\nny 9\nball 1 0 0 0\nend\n";
-//! # let parsed = parse(text, &ParseOptions::default()).unwrap();
+//! # let camera = "eyepos 0 -5 0\neyedir 0 1 0\neyeup 0 0 1\nwdist 1\nfovy_deg 40\nnx 9\nny 9\n";
+//! # let text = format!("sce1.0\n{camera}ball 1 0 0 0\nend\n");
+//! # let parsed = parse(&text, &ParseOptions::default()).unwrap();
 //! # let scene = Scene::new(&parsed.description, vec![]).unwrap();
 //! // Over the objects, and over the triangles of each mesh: here a type of the library's stands
 //! // in for yours.

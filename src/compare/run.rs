@@ -86,11 +86,7 @@ pub fn run(
     structures: &[Structure],
     observer: &dyn Observer,
 ) -> Result<ComparisonResult, CompareError> {
-    if structures.is_empty() {
-        return Err(CompareError::NoStructure);
-    }
-    refuse_twins(structures.iter().map(|structure| structure.name))?;
-    refuse_twins(plan.scenes.iter().map(|scene| scene.name.as_str()))?;
+    check_names(plan, structures)?;
     let pools = Pools::start(plan.threads)
         .map_err(|(threads, source)| CompareError::Threads { threads, source })?;
     let start = Instant::now();
@@ -168,7 +164,16 @@ impl<'a> Parts<'a> {
     }
 }
 
-fn refuse_twins<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), CompareError> {
+/// There must be a structure, and no two structures or scenes of one name.
+fn check_names(plan: &Plan, structures: &[Structure]) -> Result<(), CompareError> {
+    if structures.is_empty() {
+        return Err(CompareError::NoStructure);
+    }
+    check_unique(structures.iter().map(|structure| structure.name))?;
+    check_unique(plan.scenes.iter().map(|scene| scene.name.as_str()))
+}
+
+fn check_unique<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), CompareError> {
     let mut seen = HashSet::new();
     for name in names {
         if !seen.insert(name) {

@@ -19,12 +19,10 @@ pub(super) fn measure(
     candidates: &mut [Candidate<'_>],
     budget: Budget,
 ) {
-    let SceneContext { scene, plan, pools, .. } = context;
-    let fit: Vec<usize> = (0..candidates.len()).filter(|&i| candidates[i].can_trace()).collect();
     let built: Vec<Option<Duration>> =
         candidates.iter().map(|own| own.build_report().map(|report| report.time)).collect();
     // A round builds on one thread and on all.
-    let builds = u32::try_from(plan.threads).unwrap_or(u32::MAX).saturating_add(1);
+    let builds = u32::try_from(context.plan.threads).unwrap_or(u32::MAX).saturating_add(1);
     let round: Duration = built.iter().flatten().map(|time| time.saturating_mul(builds)).sum();
     if round > budget.left().saturating_mul(MOST_BUDGETS) {
         for (candidate, time) in candidates.iter_mut().zip(built) {
@@ -32,7 +30,13 @@ pub(super) fn measure(
         }
         return;
     }
-    // Task 2i is the i-th on one thread, task 2i + 1 on all.
+    measure_rounds(context, candidates, budget);
+}
+
+/// Builds in interleaved rounds: task 2i is the i-th structure on one thread, task 2i + 1 on all.
+fn measure_rounds(context: &SceneContext<'_>, candidates: &mut [Candidate<'_>], budget: Budget) {
+    let SceneContext { scene, plan, pools, .. } = context;
+    let fit: Vec<usize> = (0..candidates.len()).filter(|&i| candidates[i].can_trace()).collect();
     let rounds = interleaved(2 * fit.len(), &context.rounds_after_warmup(budget), |task| {
         let candidate = &mut candidates[fit[task / 2]];
         let pool = if task % 2 == 0 { &pools.one } else { &pools.all };
