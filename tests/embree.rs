@@ -114,7 +114,7 @@ fn what_it_does_not_know_is_refused_by_name() {
 }
 
 /// A comparison of all peers with two structures.
-fn compared(scene: Scene) -> srt::compare::Outcome {
+fn compared(scene: Scene) -> srt::compare::ComparisonResult {
     let input = SceneInput { name: "a".into(), path: "a.sce".into(), hash: "0".into(), scene };
     let mut plan = Plan::of_scenes(vec![input]);
     plan.budget = Some(std::time::Duration::from_secs(4));

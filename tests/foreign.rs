@@ -10,7 +10,7 @@ mod common;
 use std::time::Duration;
 
 use srt::accel::{Answers, BuildConfig, Scratch};
-use srt::compare::{Outcome, Plan, SceneInput, Silent, run};
+use srt::compare::{ComparisonResult, Plan, SceneInput, Silent, run};
 use srt::math::Hit;
 use srt::record::Status;
 use srt::scene::{ForeignBuild, ForeignTracer, Scene, Structure, TriangleObject, structure_named};
@@ -32,7 +32,7 @@ fn scene(objects: &str) -> Scene {
     common::scene(&format!("{VIEW}{objects}pointlight 0 -2 4 1 1 1\nend\n"))
 }
 
-fn compared(scene: Scene, others: &[Structure]) -> Outcome {
+fn compared(scene: Scene, others: &[Structure]) -> ComparisonResult {
     let input = SceneInput { name: "a".into(), path: "a.sce".into(), hash: "0".into(), scene };
     let mut plan = Plan::of_scenes(vec![input]);
     plan.budget = Some(Duration::from_secs(4));

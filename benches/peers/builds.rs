@@ -1,13 +1,13 @@
-//! Builds.
-
-use std::time::Instant;
+//! Builds: what they occupy, and how long they take.
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use srt::accel::{BuildConfig, BuildStages};
 use srt::analysis::statistics::median;
+use srt::compare::measure::{fixed_rounds, timed};
+use srt::report::{Cell, Table, markdown_table};
 use srt::scene::{Scene, Structure, TracedWorld};
 
-/// Builds all structures, on all threads, and tells what they occupy.
+/// Builds all structures, on all threads, and prints what they occupy.
 pub(crate) fn build_all(
     structures: &[&Structure],
     scene: &Scene,
@@ -27,48 +27,49 @@ pub(crate) fn build_all(
     Ok(worlds)
 }
 
-/// Builds in interleaved rounds, and prints the medians.
+/// A build: its seconds, and its stages.
+type Build = (f64, BuildStages);
+
+/// Builds in interleaved rounds on one thread and on all, and prints the medians.
 pub(crate) fn measure(
     structures: &[&Structure],
     scene: &Scene,
     rounds: usize,
 ) -> Result<(), String> {
     let pools = [pool(1)?, pool(0)?];
-    let mut times = vec![[vec![], vec![]]; structures.len()];
-    let mut stages = vec![[vec![], vec![]]; structures.len()];
-    for round in 0..rounds {
-        for place in 0..structures.len() {
-            let index = (place + round) % structures.len();
-            for (threads, pool) in pools.iter().enumerate() {
-                let start = Instant::now();
-                let world =
-                    pool.install(|| structures[index].build(scene, &BuildConfig::default()));
-                times[index][threads].push(start.elapsed().as_secs_f64());
-                stages[index][threads].push(world.build_report().stages);
-            }
-        }
+    // Task 2i is the i-th structure on one thread, task 2i + 1 on all.
+    let builds = fixed_rounds(2 * structures.len(), rounds, |task| {
+        let build = || structures[task / 2].build(scene, &BuildConfig::default());
+        let (world, round) = pools[task % 2].install(|| timed(build));
+        (round.wall_ns as f64 / 1e9, world.build_report().stages)
+    });
+    let all_threads = format!("#{} threads, s", pools[1].current_num_threads());
+    let mut table = Table::new("", "", &["build", "#1 thread, s", &all_threads]);
+    for (structure, builds) in structures.iter().zip(builds.chunks(2)) {
+        let name = structure.name;
+        table.rows.push(row(name.to_owned(), builds, |build| build.0));
+        let stages = builds[0].first().into_iter().flat_map(|(_, stages)| stages.iter());
+        table.rows.extend(stages.map(|(stage, _)| {
+            row(format!("{name}: {stage}"), builds, |build| seconds_of(stage, &build.1))
+        }));
     }
-    println!("| build | 1 thread, s | {} threads, s |", pools[1].current_num_threads());
-    println!("|---|--:|--:|");
-    for ((structure, [one, all]), stages) in structures.iter().zip(&times).zip(&stages) {
-        let [one, all] = [one, all].map(|times| median(times).unwrap_or(f64::NAN));
-        println!("| {} | {one:.3} | {all:.3} |", structure.name);
-        let names = stages[0].first().into_iter().flat_map(BuildStages::iter);
-        for (name, _) in names {
-            let [one, all] = [0, 1].map(|threads| median_of(name, &stages[threads]));
-            println!("| {}: {name} | {one:.3} | {all:.3} |", structure.name);
-        }
-    }
-    println!();
+    println!("{}", markdown_table(&table));
     Ok(())
 }
 
-/// The median of a stage's seconds.
-fn median_of(stage: &str, rounds: &[BuildStages]) -> f64 {
-    let seconds = |stages: &BuildStages| {
-        stages.iter().filter(|(name, _)| *name == stage).map(|(_, time)| time.as_secs_f64()).sum()
+/// A line with the medians of some time, on one thread and on all.
+fn row(name: String, builds: &[Vec<Build>], seconds: impl Fn(&Build) -> f64) -> Vec<Cell> {
+    let median = |builds: &Vec<Build>| {
+        let seconds: Vec<f64> = builds.iter().map(&seconds).collect();
+        Cell::text(format!("{:.3}", median(&seconds).unwrap_or(f64::NAN)))
     };
-    median(&rounds.iter().map(seconds).collect::<Vec<f64>>()).unwrap_or(f64::NAN)
+    std::iter::once(Cell::text(name)).chain(builds.iter().map(median)).collect()
+}
+
+/// The seconds of a stage.
+fn seconds_of(stage: &str, stages: &BuildStages) -> f64 {
+    let own = stages.iter().filter(|(name, _)| *name == stage);
+    own.map(|(_, time)| time.as_secs_f64()).sum()
 }
 
 fn pool(threads: usize) -> Result<ThreadPool, String> {

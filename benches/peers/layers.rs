@@ -1,13 +1,13 @@
-//! What the layers around a structure cost: the scene's objects, the call through a table of
+//! The cost of the layers around a structure: the scene's objects, and the call through a table of
 //! functions.
 
 use srt::accel::{BuildConfig, Bvh8, Indexed, Tracer};
 use srt::analysis::statistics::median;
+use srt::compare::measure::RaySet;
 use srt::scene::{Scene, TracedWorld, structure_named};
 use srt::shapes::TriangleSet;
 
-use crate::rays::RaySet;
-use crate::rounds::interleaved;
+use crate::rays::seconds;
 
 /// `bvh8` over a scene of one mesh, and over the triangles of the mesh by themselves.
 pub(crate) struct Layers {
@@ -27,12 +27,13 @@ impl Layers {
         })
     }
 
-    /// Prints how long the scene takes over the triangles alone, in the median.
+    /// Prints the median ratio of the scene's time to that of the triangles alone.
     pub(crate) fn measure(&self, set: &RaySet, rounds: usize) {
         let tracers: [&dyn Tracer; 2] = [&*self.world, &self.triangles];
-        let times = interleaved(&tracers, set, rounds);
+        let times = seconds(&tracers, set, rounds);
         let ratios: Vec<_> = times[0].iter().zip(&times[1]).map(|(a, b)| a / b).collect();
         let ratio = median(&ratios).unwrap_or(f64::NAN);
-        println!("The scene over its triangles alone, {:?}: {ratio:.3} of the time.\n", set.class);
+        let class = set.class.name();
+        println!("The scene over its triangles alone, {class}: {ratio:.3} of the time.\n");
     }
 }

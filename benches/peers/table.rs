@@ -1,27 +1,29 @@
 //! What was measured, as tables.
 
 use srt::analysis::statistics::median;
-
-use crate::rays::{Class, RaySet};
+use srt::compare::measure::RaySet;
+use srt::record::RayClass;
+use srt::report::{Cell, Table, markdown_table};
 
 /// Ratios of all meshes and classes to the first structure.
 pub(crate) struct Ratios {
     names: Vec<String>,
-    classes: Vec<Class>,
-    /// The rows of the mesh at hand.
-    rows: Vec<Row>,
+    classes: Vec<RayClass>,
+    /// The lines of the current mesh.
+    lines: Vec<Line>,
     /// Medians: class and, for each structure, the ratio.
-    medians: Vec<(Class, Vec<f64>)>,
+    medians: Vec<(RayClass, Vec<f64>)>,
 }
 
-struct Row {
-    class: Class,
+/// A class of the current mesh, with a rate and a ratio for each structure.
+struct Line {
+    class: RayClass,
     rays: usize,
     million_per_second: Vec<f64>,
     ratios: Vec<Spread>,
 }
 
-/// A median, and the places below which 10 % and 90 % lie.
+/// A median, and the values below which 10 % and 90 % lie.
 struct Spread {
     low: f64,
     median: f64,
@@ -29,67 +31,72 @@ struct Spread {
 }
 
 impl Ratios {
-    pub(crate) fn new(names: &[String], classes: &[Class]) -> Self {
-        Self { names: names.to_vec(), classes: classes.to_vec(), rows: vec![], medians: vec![] }
+    pub(crate) fn new(names: &[String], classes: &[RayClass]) -> Self {
+        Self { names: names.to_vec(), classes: classes.to_vec(), lines: vec![], medians: vec![] }
     }
 
-    /// Takes the seconds of each structure in each round.
+    /// Adds the seconds of each structure in each round.
     pub(crate) fn add(&mut self, set: &RaySet, times: &[Vec<f64>]) {
         let rate =
             |times: &Vec<f64>| set.rays.len() as f64 / 1e6 / median(times).unwrap_or(f64::NAN);
         let ratio = |own: &Vec<f64>| {
             spread(times[0].iter().zip(own).map(|(base, own)| base / own).collect())
         };
-        let row = Row {
+        let line = Line {
             class: set.class,
             rays: set.rays.len(),
             million_per_second: times.iter().map(rate).collect(),
             ratios: times.iter().map(ratio).collect(),
         };
-        self.medians.push((row.class, row.ratios.iter().map(|ratio| ratio.median).collect()));
-        self.rows.push(row);
+        self.medians.push((line.class, line.ratios.iter().map(|ratio| ratio.median).collect()));
+        self.lines.push(line);
     }
 
-    /// Prints the mesh at hand, and goes on to the next.
+    /// Prints the current mesh; the next one begins.
     pub(crate) fn print_mesh(&mut self) {
-        println!("| class | rays | structure | million rays/s | × {} | 10–90 % |", self.names[0]);
-        println!("|---|--:|---|--:|--:|---|");
-        for row in self.rows.drain(..) {
-            let figures = row.million_per_second.iter().zip(&row.ratios);
+        let ratio = format!("#× {}", self.names[0]);
+        let heads = ["class", "#rays", "structure", "#million rays/s", &ratio, "10–90 %"];
+        let mut table = Table::new("", "", &heads);
+        for line in self.lines.drain(..) {
+            let figures = line.million_per_second.iter().zip(&line.ratios);
             for (name, (rate, Spread { low, median, high })) in self.names.iter().zip(figures) {
-                let class = label(row.class);
-                println!(
-                    "| {class} | {} | {name} | {rate:.2} | {median:.2} | {low:.2}–{high:.2} |",
-                    row.rays
-                );
+                let cells = [
+                    line.class.name().to_owned(),
+                    line.rays.to_string(),
+                    name.clone(),
+                    format!("{rate:.2}"),
+                    format!("{median:.2}"),
+                    format!("{low:.2}–{high:.2}"),
+                ];
+                table.rows.push(cells.map(Cell::text).into());
             }
         }
+        print!("{}", markdown_table(&table));
     }
 
     /// Prints the geometric means over all meshes.
     pub(crate) fn print_means(&self) {
-        let classes: Vec<_> = self.classes.iter().map(|&class| label(class)).collect();
         println!("\n## Geometric means over all meshes, × {}\n", self.names[0]);
-        println!("| structure | {} | all | smallest |", classes.join(" | "));
-        println!("|---|{}", "--:|".repeat(classes.len() + 2));
+        let mut heads = vec!["structure".to_owned()];
+        heads.extend(self.classes.iter().map(|class| format!("#{}", class.name())));
+        heads.extend(["#all", "#smallest"].map(str::to_owned));
+        let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+        let mut table = Table::new("", "", &heads);
         for (index, name) in self.names.iter().enumerate() {
-            let of = |wanted: Option<Class>| -> Vec<f64> {
-                let fits = |class: &Class| wanted.is_none_or(|wanted| wanted == *class);
+            let of = |wanted: Option<RayClass>| -> Vec<f64> {
+                let fits = |class: &RayClass| wanted.is_none_or(|wanted| wanted == *class);
                 let fitting = self.medians.iter().filter(|(class, _)| fits(class));
                 fitting.map(|(_, ratios)| ratios[index]).collect()
             };
-            let mut cells: Vec<_> =
+            let mut means: Vec<_> =
                 self.classes.iter().map(|&class| geometric_mean(&of(Some(class)))).collect();
-            cells.push(geometric_mean(&of(None)));
-            cells.push(of(None).into_iter().fold(f64::INFINITY, f64::min));
-            let cells: Vec<_> = cells.iter().map(|cell| format!("{cell:.2}")).collect();
-            println!("| {name} | {} |", cells.join(" | "));
+            means.push(geometric_mean(&of(None)));
+            means.push(of(None).into_iter().fold(f64::INFINITY, f64::min));
+            let means = means.iter().map(|mean| Cell::text(format!("{mean:.2}")));
+            table.rows.push(std::iter::once(Cell::text(name)).chain(means).collect());
         }
+        print!("{}", markdown_table(&table));
     }
-}
-
-fn label(class: Class) -> String {
-    format!("{class:?}").to_lowercase()
 }
 
 fn geometric_mean(values: &[f64]) -> f64 {

@@ -1,4 +1,4 @@
-//! A mesh as a scene that is looked at, with a light.
+//! A mesh as a scene with a camera, and the place of a light.
 
 use std::path::Path;
 use std::sync::Arc;

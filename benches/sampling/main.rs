@@ -1,7 +1,7 @@
 //! What random numbers and shuffling cost, and small frames with either method of sampling.
 //!
-//! `cargo bench --bench sampling` measures. Everything first checks its answers: that samples
-//! cover the light evenly, and that the frames are those of `none`. How much noise the methods
+//! `cargo bench --bench sampling` measures. Everything is checked before it is measured: samples
+//! must cover the light evenly, and frames must be those of `none`. How much noise the methods
 //! leave is measured by `srt compare --sampling-study`.
 
 mod frames;

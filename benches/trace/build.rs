@@ -17,7 +17,7 @@ pub(crate) fn group(criterion: &mut Criterion, knots: &[Knot], rows: &mut Vec<Ro
         group.throughput(Throughput::Elements(knot.triangles));
         for structure in STRUCTURES {
             let config = BuildConfig::default();
-            knot.check(&*structure.build(&knot.scene, &config), &knot.sets);
+            knot.check(&*structure.build(&knot.scene, &config));
             let id = BenchmarkId::new(structure.name, knot.triangles);
             group.bench_function(id, |b| b.iter(|| structure.build(&knot.scene, &config)));
             let triangles = knot.triangles;

@@ -1,16 +1,17 @@
 //! Whole pictures: how much faster two threads are than one, and what share of the threads' time
-//! goes into all that is not tracing. Its own rounds, interleaved, in place of criterion's: what
-//! counts is a ratio.
+//! goes into all that is not tracing. In interleaved rounds instead of criterion's samples, because
+//! the result is a ratio.
 
 #![allow(clippy::print_stdout, reason = "a bench reports to the terminal")]
 
 use glam::DVec3;
 use srt::accel::BuildConfig;
 use srt::assets::generate::{MeshKind, generate};
+use srt::compare::measure::fixed_rounds;
 use srt::description::Light;
 use srt::image_io::{Picture, compare};
 use srt::math::Color;
-use srt::render::{Image, Rendering, Settings, Silent, render};
+use srt::render::{Image, RenderStats, Rendering, Settings, Silent, render};
 use srt::scene::{Scene, TracedWorld, structure_named};
 
 use crate::knot;
@@ -41,19 +42,12 @@ pub(crate) fn measure() {
         };
         frame.check(&pools[0]);
         assert!(same(run(&pools[0]), run(&pools[1])), "threads change the picture");
-        let (mut speedups, mut shares) = (Vec::new(), Vec::new());
-        for round in 0..ROUNDS {
-            let mut seconds = [0.0; 2];
-            for place in 0..2 {
-                let threads = (place + round) % 2;
-                let stats = run(&pools[threads]).stats;
-                seconds[threads] = stats.time.as_secs_f64();
-                if threads == 0 {
-                    shares.extend(stats.thread_times.outside_tracing_share());
-                }
-            }
-            speedups.push(seconds[0] / seconds[1]);
-        }
+        let rounds = fixed_rounds(2, ROUNDS, |index| run(&pools[index]).stats);
+        let seconds = |stats: &RenderStats| stats.time.as_secs_f64();
+        let pairs = rounds[0].iter().zip(&rounds[1]);
+        let speedups = pairs.map(|(one, two)| seconds(one) / seconds(two)).collect();
+        let outside = |stats: &RenderStats| stats.thread_times.outside_tracing_share();
+        let shares = rounds[0].iter().filter_map(outside).collect();
         println!("frames/{}: {SIDE} × {SIDE}, {ROUNDS} rounds, median (least – most)", frame.name);
         println!("    two threads against one   {}", spread(speedups, 1.0, " ×"));
         println!("    outside tracing           {}", spread(shares, 100.0, " %"));

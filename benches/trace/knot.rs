@@ -1,32 +1,34 @@
-//! A torus knot and its rays, and the check that structures answer them alike.
+//! A torus knot and its rays, and the check that all structures give equal results.
 
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3, Vec3};
-use srt::accel::{Answers, BuildConfig, Scratch, Tracer};
+use srt::accel::BuildConfig;
 use srt::assets::generate::{MeshKind, generate};
+use srt::compare::measure::{FirstHits, RaySet, view_rays};
 use srt::description::{
     Camera, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape,
 };
-use srt::math::{Color, Hit, Ray};
+use srt::math::Color;
 use srt::scene::{Scene, TracedWorld, structure_named};
 
-use crate::rays::{RaySet, ray_sets};
-
-/// Rays of a class that trees trace in an iteration.
-const RAYS: u32 = 40_000;
+/// Side of the picture in pixels: each gets a view ray.
+const SIDE: u32 = 200;
 
 /// Primitive tests that an iteration of a linear structure may take; it traces fewer rays.
 const LINEAR_TESTS: u64 = 20_000_000;
 
 const LIGHT: Vec3 = Vec3::new(-3.0, -2.0, 4.0);
 
+const SEED: u64 = 1;
+
 /// A knot of about so many triangles.
 pub(crate) struct Knot {
     pub(crate) scene: Scene,
     pub(crate) triangles: u64,
+    /// View rays, and from what they hit shadow, mirror and diffuse rays.
     pub(crate) sets: Vec<RaySet>,
-    /// `none`, whose answers are right.
+    /// `none`, whose results are right.
     none: Box<dyn TracedWorld>,
 }
 
@@ -37,8 +39,12 @@ impl Knot {
             let structure = structure_named(name).expect("it is a structure");
             structure.build(&scene, &BuildConfig::default())
         };
-        let sets = ray_sets(&scene, &*build("bvh"), LIGHT, RAYS);
+        let view = view_rays(&scene);
+        let hits = FirstHits::new(&scene, &*build("bvh"), &view);
+        let (shadow, mirror, diffuse) =
+            (hits.shadow_rays(LIGHT), hits.mirror_rays(), hits.diffuse_rays(SEED));
         let none = build("none");
+        let sets = vec![view, shadow, mirror, diffuse];
         Self { triangles: scene.triangle_count(), sets, none, scene }
     }
 
@@ -47,31 +53,20 @@ impl Knot {
         ((LINEAR_TESTS / self.triangles) as usize).max(16)
     }
 
-    /// Compares answers with those of `none`, on as many rays as that can trace.
+    /// Compares results with those of `none`, on as many rays as that can trace.
     ///
     /// # Panics
     /// If a bit of them differs: what is wrong is not measured.
-    pub(crate) fn check(&self, world: &dyn TracedWorld, sets: &[RaySet]) {
-        for set in sets {
-            let rays = spread(&set.rays, self.linear_rays());
-            let (expected, got) = (answers(&*self.none, &rays), answers(world, &rays));
-            let equal = expected.0.iter().zip(&got.0).all(|(a, b)| a.same_bits(b));
-            let equal = equal && expected.1 == got.1;
-            assert!(equal, "{} rays: the hits differ from those of `none`", set.class);
+    pub(crate) fn check(&self, world: &dyn TracedWorld) {
+        for set in &self.sets {
+            let set = set.spread(self.linear_rays());
+            let (mut expected, mut results) = (set.results(), set.results());
+            expected.trace(&*self.none, &set.rays);
+            results.trace(world, &set.rays);
+            let differing = results.count_differing(&expected);
+            assert_eq!(differing, 0, "{} rays: other hits than `none`", set.class.name());
         }
     }
-}
-
-fn answers(tracer: &(impl Tracer + ?Sized), rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
-    let (mut hits, mut blocked) = (vec![Hit::MISS; rays.len()], vec![false; rays.len()]);
-    tracer.trace(rays, Answers::ClosestHit(&mut hits), &mut Scratch::default(), None);
-    tracer.trace(rays, Answers::AnyHit(&mut blocked), &mut Scratch::default(), None);
-    (hits, blocked)
-}
-
-/// At most `count` rays, evenly chosen.
-pub(crate) fn spread(rays: &[Ray], count: usize) -> Vec<Ray> {
-    rays.iter().step_by(rays.len().div_ceil(count)).copied().collect()
 }
 
 fn scene(triangles: u32) -> Scene {
@@ -88,8 +83,8 @@ pub(crate) fn description() -> SceneDescription {
             up: DVec3::Z,
             distance: 1.0,
             fovy_degrees: 38.0,
-            width: 200,
-            height: 200,
+            width: SIDE,
+            height: SIDE,
         },
         options: Options { max_recursion: 0, aa: 0, background: Color::ZERO },
         materials: vec![Material::default()],

@@ -3,13 +3,13 @@
 //! `cargo bench --bench trace` measures the groups `parse`, `build`, `traverse` and `shapes` and
 //! writes `results/benchmarks.md`; a filter behind `--`, such as the name of a group, measures a
 //! part and leaves the table alone. `frames`, which has to be named, measures whole pictures with
-//! one thread and with two, and prints. What is measured first shows that it answers as `none` does.
+//! one thread and with two, and prints. Before anything is measured, its results are compared with
+//! those of `none`.
 
 mod build;
 mod frames;
 mod knot;
 mod parse;
-mod rays;
 mod shapes;
 mod table;
 mod traverse;

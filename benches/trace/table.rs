@@ -51,8 +51,9 @@ pub(crate) fn write(rows: &[Row]) {
         "# Benchmarks\n\n\
          Written by `cargo bench --bench trace`: medians of criterion's samples on one thread for \
          rays and on all for builds, with the 95 % interval of the median. The mesh of builds and \
-         traversals is a generated torus knot. `none` and `ball` trace fewer rays where there are many triangles. Figures of \
-         one run on one machine: compare rows with each other, not with other machines.\n\n\
+         traversals is a generated torus knot. `none` and `ball` trace fewer rays where there are \
+         many triangles. Figures of one run on one machine: compare rows with each other, not with \
+         other machines.\n\n\
          | group | benchmark | triangles | median | 95 % interval | rate |\n\
          |---|---|--:|--:|--:|--:|\n",
     );

@@ -2,12 +2,11 @@
 
 use std::time::Duration;
 
-use criterion::{Bencher, BenchmarkId, Criterion, Throughput};
-use srt::accel::{Answers, BuildConfig, Scratch};
-use srt::math::Hit;
+use criterion::{BenchmarkId, Criterion, Throughput};
+use srt::accel::BuildConfig;
 use srt::scene::STRUCTURES;
 
-use crate::knot::{Knot, spread};
+use crate::knot::Knot;
 use crate::table::Row;
 
 pub(crate) fn group(criterion: &mut Criterion, knots: &[Knot], rows: &mut Vec<Row>) {
@@ -17,26 +16,16 @@ pub(crate) fn group(criterion: &mut Criterion, knots: &[Knot], rows: &mut Vec<Ro
     for knot in knots {
         for structure in STRUCTURES {
             let world = structure.build(&knot.scene, &BuildConfig::default());
-            knot.check(&*world, &knot.sets);
+            knot.check(&*world);
             let linear = matches!(structure.name, "none" | "ball");
             for set in &knot.sets {
-                let rays =
-                    if linear { spread(&set.rays, knot.linear_rays()) } else { set.rays.clone() };
-                let name = format!("{}-{}", set.class, structure.name);
+                let set = if linear { set.spread(knot.linear_rays()) } else { set.clone() };
+                let name = format!("{}-{}", set.class.name(), structure.name);
                 let id = BenchmarkId::new(&name, knot.triangles);
+                let rays = &set.rays;
                 group.throughput(Throughput::Elements(rays.len() as u64));
-                let mut hits = vec![Hit::MISS; rays.len()];
-                let mut blocked = vec![false; rays.len()];
-                let mut scratch = Scratch::default();
-                group.bench_function(id, |b: &mut Bencher<'_>| {
-                    b.iter(|| {
-                        let answers = match set.is_shadow() {
-                            true => Answers::AnyHit(&mut blocked),
-                            false => Answers::ClosestHit(&mut hits),
-                        };
-                        world.trace(&rays, answers, &mut scratch, None);
-                    });
-                });
+                let mut results = set.results();
+                group.bench_function(id, |b| b.iter(|| results.trace(&*world, rays)));
                 let (triangles, count) = (Some(knot.triangles), rays.len() as u64);
                 rows.push(Row::new("traverse", &name, triangles, count, "rays"));
             }

@@ -1,8 +1,8 @@
 //! The meshes that a description names, from files or generated → data in memory.
 //!
-//! With `cli` the only layer that reads the files of a user. Knows nothing of tracing: a mesh leaves
-//! here as plain arrays with every index in range, every normal of unit length and no degenerate
-//! triangle.
+//! Reads files, as `cli` and, for its machine and its sources, `compare` do; no other layer does.
+//! Knows nothing of tracing: a mesh leaves here as plain arrays with every index in range, every
+//! normal of unit length and no degenerate triangle.
 
 mod error;
 pub mod generate;

@@ -1,11 +1,11 @@
-//! What was typed: the command's one definition, from which help, completions and the man page
-//! are made too. The options of rendering have a file of their own, `render_args.rs`.
+//! The definition of the command, from which the help, the completions and the man pages are made
+//! too. The options of rendering are in `render_args.rs`, those of comparing in `compare_args.rs`.
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
+use super::choice::described;
 use super::compare_args::{CompareArguments, ConformanceArguments, ReportArguments};
 use super::exit::EXIT_CODES;
 use super::render_args::RenderArguments;
@@ -15,20 +15,20 @@ use crate::assets::generate::MeshKind;
 const EXAMPLES: &str = "\
 Examples:
   srt scene.sce picture.tga                        render
-  srt scene.sce picture.png --accel none --stats   the same picture the slow way, with figures
+  srt scene.sce picture.png --accel none --stats   without a structure, and with figures
   srt scene.sce detail.png --crop 90,50,190,150 --aa 8
-  srt scene.sce cost.png --view heatmap            what the rays of each pixel cost
-  srt scene.sce - --format png | display -         to a pipe
-  sed 's/^nx .*/nx 99/' scene.sce | srt - a.png    from one
-  srt compare scenes/hall.sce                      which structure is how fast, as a report
-  srt conformance --accel bvh8:leaf=4              whether its hits are those of no structure
+  srt scene.sce cost.png --view heatmap            what the rays of each pixel tested
+  srt scene.sce - --format png | display -         write to a pipe
+  sed 's/^nx .*/nx 99/' scene.sce | srt - a.png    read from a pipe
+  srt compare scenes/hall.sce                      how fast each structure is, as a report
+  srt conformance --accel bvh8:leaf=4              whether its hits equal those of no structure
   srt check scenes/*.sce                           validate without rendering
   srt diff old.png new.png -o difference.png       compare two pictures
 
-A scene whose file has the name of a subcommand is named with its folder: `srt ./check out.tga`.
+A scene whose file has the name of a subcommand needs its folder: `srt ./check out.tga`.
 
 Environment:
-  SRT_ISA=portable|avx2|avx512   the instruction set of the kernels, in place of the widest";
+  SRT_ISA=portable|avx2|avx512   the instruction set of the kernels, instead of the widest";
 
 /// Renders a scene to a picture.
 #[derive(Debug, Parser)]
@@ -38,7 +38,7 @@ Environment:
     about = "Ray tracer: renders a scene with the acceleration structure of your choice",
     long_about = "Ray tracer: renders a scene (sce1.0) to a picture, with the acceleration \
         structure of your choice. The picture is the same, bit for bit, whatever the structure, \
-        the number of threads or the instruction set; the speed is not, and that is what srt shows.",
+        the number of threads or the instruction set; the speed is not, and srt compares it.",
     after_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"),
     args_conflicts_with_subcommands = true,
     subcommand_negates_reqs = true,
@@ -56,9 +56,9 @@ pub(crate) struct Arguments {
 /// The subcommands.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Validate scenes without rendering and tell what is in them
+    /// Validate scenes without rendering, and list what is in them
     Check(CheckArguments),
-    /// Compare acceleration structures, prove their answers equal, and write a report
+    /// Compare acceleration structures, prove their results equal, and write a report
     Compare(CompareArguments),
     /// Check that acceleration structures give equal hits, bit for bit
     Conformance(ConformanceArguments),
@@ -77,7 +77,7 @@ pub(crate) enum Command {
 /// `srt check`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Exit codes: 0 all are valid, 1 a scene is invalid, 2 a file cannot be read.\n\n\
+    after_help = "Exit codes: 0 all scenes are valid, 1 a scene is invalid, 2 a file cannot be read.\n\n\
     Example:\n  srt check scenes/*.sce"
 )]
 pub(crate) struct CheckArguments {
@@ -85,7 +85,7 @@ pub(crate) struct CheckArguments {
     #[arg(value_name = "SCENE", required = true)]
     pub(crate) scenes: Vec<PathBuf>,
 
-    /// Take unknown commands of the scenes as warnings
+    /// Treat unknown commands of the scenes as warnings
     #[arg(long)]
     pub(crate) lenient: bool,
 }
@@ -107,7 +107,7 @@ pub(crate) struct DiffArguments {
     #[arg(long, short, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Print nothing but errors; the exit code tells
+    /// Print nothing but errors; the exit code is the result
     #[arg(long, short)]
     pub(crate) quiet: bool,
 }
@@ -115,12 +115,12 @@ pub(crate) struct DiffArguments {
 /// `srt mesh`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Where the form does not allow every number of triangles, the mesh has about as \
+    after_help = "If the shape does not allow every number of triangles, the mesh has about as \
     many.\n\n\
     Example:\n  srt mesh terrain --triangles 70k --seed 7 -o terrain.obj"
 )]
 pub(crate) struct MeshArguments {
-    /// The form
+    /// The shape
     #[arg(value_name = "KIND", value_parser = described(&MeshKind::ALL, MeshKind::name, MeshKind::description))]
     pub(crate) kind: MeshKind,
 
@@ -129,7 +129,7 @@ pub(crate) struct MeshArguments {
         value_parser = values::triangles)]
     pub(crate) triangles: u32,
 
-    /// Where the random numbers start
+    /// The seed of the random numbers
     #[arg(long, value_name = "S", allow_negative_numbers = true, default_value_t = 0,
         value_parser = values::whole::<u64>(0, u64::MAX))]
     pub(crate) seed: u64,
@@ -154,37 +154,8 @@ pub(crate) struct CompletionsArguments {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  srt man | man -l -\n  srt man ~/.local/share/man/man1")]
 pub(crate) struct ManArguments {
-    /// The folder to write srt.1, srt-check.1, … into, made where it is missing; without it, srt.1
+    /// The folder to write srt.1, srt-check.1, … into, created if it is missing; without it, srt.1
     /// is printed
     #[arg(value_name = "DIR")]
     pub(crate) folder: Option<PathBuf>,
-}
-
-/// Takes the name of one of a set of things.
-pub(super) fn named<T: Copy + Send + Sync + 'static>(
-    all: &'static [T],
-    name: fn(T) -> &'static str,
-) -> impl TypedValueParser<Value = T> {
-    one_of(all, name, move |thing| PossibleValue::new(name(thing)))
-}
-
-/// Takes the name of one of a set of things; the help says what each is.
-pub(super) fn described<T: Copy + Send + Sync + 'static>(
-    all: &'static [T],
-    name: fn(T) -> &'static str,
-    summary: fn(T) -> &'static str,
-) -> impl TypedValueParser<Value = T> {
-    one_of(all, name, move |thing| PossibleValue::new(name(thing)).help(summary(thing)))
-}
-
-fn one_of<T: Copy + Send + Sync + 'static>(
-    all: &'static [T],
-    name: fn(T) -> &'static str,
-    value: impl Fn(T) -> PossibleValue,
-) -> impl TypedValueParser<Value = T> {
-    let values: Vec<PossibleValue> = all.iter().map(|&thing| value(thing)).collect();
-    PossibleValuesParser::new(values).try_map(move |typed| {
-        let found = all.iter().copied().find(|&thing| name(thing) == typed);
-        found.ok_or_else(|| format!("there is no `{typed}`"))
-    })
 }

@@ -1,18 +1,18 @@
-//! `srt check`: validates scenes without rendering, and tells what is in them. What is valid is for
-//! the other layers to say: whatever they refuse to render is invalid here.
+//! `srt check`: validates scenes without rendering, and lists what is in them. The other layers decide
+//! what is valid: whatever they refuse to render is invalid here.
 
 use std::path::Path;
 
 use super::args::CheckArguments;
-use super::exit::{Exit, Failure, Outcome};
+use super::exit::{CommandResult, Exit, Failure};
 use super::inventory;
-use super::load::{LoadError, Loaded, load};
+use super::load::{LoadError, Loaded, load, print_load_error};
 use super::output::print;
 use super::source;
-use super::terminal::{tell, tell_error};
+use super::terminal::print_message;
 
 /// Checks every scene, also after one that is not valid; the worst decides how the command ends.
-pub(super) fn run(arguments: &CheckArguments) -> Outcome {
+pub(super) fn run(arguments: &CheckArguments) -> CommandResult {
     if arguments.scenes.iter().filter(|path| source::is_stdin(path)).count() > 1 {
         return Err(Failure::new("`-` is named twice, and standard input can be read only once"));
     }
@@ -26,25 +26,21 @@ pub(super) fn run(arguments: &CheckArguments) -> Outcome {
     Ok(worst)
 }
 
-fn check(path: &Path, lenient: bool) -> Outcome {
+fn check(path: &Path, lenient: bool) -> CommandResult {
     let error = match load(path, lenient) {
         Ok(loaded) => return show(path, &loaded),
         Err(error) => error,
     };
-    let exit = match &error {
-        LoadError::Invalid { text, .. } => {
-            tell(format_args!("{text}\n"));
-            Exit::Negative
-        }
+    print_load_error(&error);
+    Ok(match error {
+        LoadError::Invalid { .. } => Exit::Negative,
         LoadError::Source(_) => Exit::Trouble,
-    };
-    tell_error(error);
-    Ok(exit)
+    })
 }
 
-fn show(path: &Path, loaded: &Loaded) -> Outcome {
+fn show(path: &Path, loaded: &Loaded) -> CommandResult {
     if !loaded.warnings.is_empty() {
-        tell(&loaded.warnings);
+        print_message(&loaded.warnings);
     }
     let text = inventory::describe(&loaded.description, &loaded.scene);
     print(&format!("{}: valid\n{text}", source::name(path)))?;

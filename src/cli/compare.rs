@@ -1,94 +1,84 @@
-//! `srt compare`: scenes and structures → a report. What is measured, and how, is the work of
-//! `compare`; what a report looks like, of `report`.
+//! `srt compare`: scenes and structures → a report. The layer `compare` measures, the layer `report`
+//! writes; this file loads the scenes, shows progress, and prints the result.
 
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use super::compare_args::CompareArguments;
+use super::compare_plan::{plan, too_short};
 use super::compare_progress::CompareProgress;
-use super::exit::{Exit, Failure, Outcome};
+use super::exit::{CommandResult, Exit, Failure};
 use super::fingerprint;
 use super::interrupt::Interrupt;
-use super::load::{LoadError, load};
+use super::load::{load, print_load_error};
 use super::output::print;
 use super::result_folder::{PictureFiles, ResultFolder, read_record};
-use super::terminal::{tell, tell_error};
-use crate::accel::BuildConfig;
+use super::terminal::{print_error, print_message};
 use crate::analysis::baseline;
-use crate::compare::{self, PictureOptions, Plan, SceneInput, SweepPlan};
-use crate::image_io::{Format, encode};
+use crate::compare::{self, ComparisonResult, SceneInput};
+use crate::image_io::{Format, Picture, encode};
 use crate::record::{Baseline, Comparison, Dropped};
 use crate::report::Report;
 
-/// Seconds for each scene, and for all, if nobody says how many.
-const SECONDS_A_SCENE: u64 = 30;
-const MOST_SECONDS: u64 = 150;
-const SECONDS_A_SWEEP: u64 = 60;
-const SECONDS_A_STUDY: u64 = 60;
-
-/// Fewer seconds than this for a scene seldom leave enough rounds for intervals.
-const FEWEST_SECONDS: f64 = 5.0;
-
 /// Compares, writes the report and prints its table.
-pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Outcome {
+pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> CommandResult {
     let old = arguments.baseline.as_deref().map(read_record).transpose()?;
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.scenes));
     let Some(scenes) = load_all(arguments)? else { return Ok(Exit::Trouble) };
     let folder = ResultFolder::prepare(&out)?;
     let plan = plan(arguments, scenes);
     if let Some(note) = too_short(&plan).filter(|_| !arguments.quiet) {
-        tell(note);
+        print_message(note);
     }
     let progress = CompareProgress::start(arguments.quiet, interrupt.clone());
-    let outcome = interrupt.heeded_by(|| compare::run(&plan, &arguments.structures(), &progress));
+    let result = interrupt.cancellable(|| compare::run(&plan, &arguments.structures(), &progress));
     drop(progress);
-    let mut outcome = outcome.map_err(Failure::new)?;
-    outcome.comparison.baseline =
-        old.map(|old| baseline::compare(&old, &outcome.comparison, arguments.fail_above));
-    let report = Report::new(&outcome.comparison);
-    folder.write(&report, &encoded(&outcome.pictures)?)?;
-    let fine = tell_outcome(arguments, &outcome, &report, folder.path())?;
+    let mut result = result.map_err(Failure::new)?;
+    result.comparison.baseline =
+        old.map(|old| baseline::compare(&old, &result.comparison, arguments.fail_above));
+    let report = Report::new(&result.comparison);
+    folder.write(&report, &encoded(&result.pictures)?)?;
+    let fine = print_result(arguments, &result, &report, folder.path())?;
     let compared = |baseline: &Baseline| !baseline.outcome.changes.is_empty();
-    let in_vain = !outcome.comparison.baseline.as_ref().is_none_or(compared);
-    let partial = outcome.comparison.run.partial;
-    if in_vain && !partial {
-        tell_error(
+    let unrelated = !result.comparison.baseline.as_ref().is_none_or(compared);
+    let partial = result.comparison.run.partial;
+    if unrelated && !partial {
+        print_error(
             "the baseline has nothing in common with this comparison: there is no class of rays \
              that both measured with the same structure in the same scene",
         );
     }
-    Ok(exit(partial, fine, in_vain))
+    Ok(exit(partial, fine, unrelated))
 }
 
-/// How a comparison ends: wrong answers weigh more than a baseline that was compared in vain.
-fn exit(partial: bool, fine: bool, in_vain: bool) -> Exit {
+/// How a comparison ends: wrong results weigh more than a baseline that has nothing in common.
+fn exit(partial: bool, fine: bool, unrelated_baseline: bool) -> Exit {
     match (partial, fine) {
         (true, _) => Exit::Interrupted,
         (false, false) => Exit::Negative,
-        (false, true) if in_vain => Exit::Trouble,
+        (false, true) if unrelated_baseline => Exit::Trouble,
         (false, true) => Exit::Fine,
     }
 }
 
 /// Prints the table and what changed; whether all is well.
-fn tell_outcome(
+fn print_result(
     arguments: &CompareArguments,
-    outcome: &compare::Outcome,
+    result: &ComparisonResult,
     report: &Report<'_>,
     folder: &Path,
 ) -> Result<bool, Failure> {
     let text = report.terminal() + &report.terminal_changes().unwrap_or_default();
     let is_slower = |baseline: &Baseline| baseline::regressions(baseline).next().is_some();
-    let fine = outcome.holds() && !outcome.comparison.baseline.as_ref().is_some_and(is_slower);
-    differences(&outcome.comparison).iter().for_each(tell_error);
+    let fine = result.holds() && !result.comparison.baseline.as_ref().is_some_and(is_slower);
+    differences(&result.comparison).iter().for_each(print_error);
     if !arguments.quiet {
         print(&text)?;
-        tell(format_args!("the report is in `{}`", folder.display()));
+        print_message(format_args!("the report is in `{}`", folder.display()));
     }
     Ok(fine)
 }
 
-/// What differs in scenes, and who failed in a sweep, a line each.
+/// The differences in scenes and the failures in sweeps, a line each.
 fn differences(comparison: &Comparison) -> Vec<String> {
     let mut lines = Vec::new();
     for scene in &comparison.scenes {
@@ -107,22 +97,19 @@ fn differences(comparison: &Comparison) -> Vec<String> {
     lines
 }
 
-/// Loads all scenes, each under a name of its own; `None` if one is wrong, which has been told.
+/// Loads all scenes, each under a name of its own; `None` if one is wrong, whose errors are printed.
 fn load_all(arguments: &CompareArguments) -> Result<Option<Vec<SceneInput>>, Failure> {
     let mut scenes: Vec<SceneInput> = Vec::new();
     for path in &arguments.scenes {
         let loaded = match load(path, arguments.lenient) {
             Ok(loaded) => loaded,
             Err(error) => {
-                if let LoadError::Invalid { text, .. } = &error {
-                    tell(format_args!("{text}\n"));
-                }
-                tell_error(error);
+                print_load_error(&error);
                 return Ok(None);
             }
         };
         if !arguments.quiet && !loaded.warnings.is_empty() {
-            tell(&loaded.warnings);
+            print_message(&loaded.warnings);
         }
         let hash = fingerprint::of_scene(path, &loaded.description).map_err(|error| {
             Failure::new(format_args!("cannot read `{}` again: {error}", path.display()))
@@ -145,7 +132,7 @@ fn stem(path: &Path) -> String {
     path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned())
 }
 
-/// `results/<date>-<scene>`, with a number behind it where that is taken.
+/// `results/<date>-<scene>`, with a number behind it if that exists.
 fn default_folder(scenes: &[PathBuf]) -> PathBuf {
     let date = jiff::Zoned::now().strftime("%Y-%m-%d").to_string();
     let first = scenes.first().map_or_else(|| "sweep".to_owned(), |path| stem(path));
@@ -160,72 +147,11 @@ fn default_folder(scenes: &[PathBuf]) -> PathBuf {
     paths.find(|path| !path.exists()).unwrap_or_else(|| Path::new("results").join(name))
 }
 
-fn plan(arguments: &CompareArguments, scenes: Vec<SceneInput>) -> Plan {
-    let for_sweep = if arguments.sweep.is_some() { SECONDS_A_SWEEP } else { 0 };
-    let for_study = if arguments.sampling_study { SECONDS_A_STUDY } else { 0 };
-    let for_scenes = (SECONDS_A_SCENE * scenes.len() as u64).min(MOST_SECONDS);
-    let seconds = for_scenes + for_sweep + for_study;
-    let mut plan = Plan::of_scenes(scenes);
-    plan.command = command();
-    plan.budget = Some(arguments.budget.unwrap_or(Duration::from_secs(seconds)));
-    plan.rounds.at_least = arguments.rounds;
-    plan.build = BuildConfig { quality: arguments.build, ..BuildConfig::default() };
-    plan.threads = arguments.threads.map_or(plan.threads, usize::from);
-    plan.picture = PictureOptions {
-        size: arguments.size.map(|size| [size.width, size.height]),
-        aa: arguments.aa,
-        seed: arguments.seed,
-        ..PictureOptions::default()
-    };
-    plan.sweep = arguments.sweep.zip(arguments.mesh).map(|((first, last), mesh)| SweepPlan {
-        mesh,
-        sizes: SweepPlan::sizes_between(first, last),
-    });
-    plan.sampling_study = arguments.sampling_study;
-    if !arguments.classes.is_empty() {
-        plan.classes.clone_from(&arguments.classes);
-    }
-    plan
-}
-
-/// What to tell beforehand of a budget in which there is no time for intervals.
-fn too_short(plan: &Plan) -> Option<String> {
-    let (budget, scenes) = (plan.budget?.as_secs_f64(), plan.scenes.len());
-    let parts = scenes + usize::from(plan.sweep.is_some()) + usize::from(plan.sampling_study);
-    let each = budget / parts.max(1) as f64;
-    let what = match (scenes, parts - scenes) {
-        (1, 0) => "1 scene".to_owned(),
-        (_, 0) => format!("{scenes} scenes"),
-        _ => format!("{parts} parts"),
-    };
-    let enough = (FEWEST_SECONDS * parts as f64).ceil();
-    (each < FEWEST_SECONDS).then(|| {
-        let share = if parts > 1 { format!(" is {each:.1} s each,") } else { " is".to_owned() };
-        format!("note: {what} in {budget} s{share} too little for intervals; --budget {enough}")
-    })
-}
-
-fn encoded(pictures: &[(String, crate::image_io::Picture)]) -> Result<PictureFiles, Failure> {
+fn encoded(pictures: &[(String, Picture)]) -> Result<PictureFiles, Failure> {
     let png = |(name, picture): &(String, _)| {
         encode(picture, Format::Png).map(|bytes| (name.clone(), bytes)).map_err(Failure::new)
     };
     pictures.iter().map(png).collect()
-}
-
-/// This process's command, quoted for a shell.
-fn command() -> String {
-    let arguments = std::env::args_os().skip(1);
-    let quoted = arguments.map(|argument| quoted(&argument.to_string_lossy()));
-    std::iter::once("srt".to_owned()).chain(quoted).collect::<Vec<_>>().join(" ")
-}
-
-/// A word as a POSIX shell reads it.
-fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "-_./=,:%+@".contains(c);
-    match !word.is_empty() && word.chars().all(plain) {
-        true => word.to_owned(),
-        false => format!("'{}'", word.replace('\'', r"'\''")),
-    }
 }
 
 #[cfg(test)]
@@ -233,14 +159,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_are_quoted_where_a_shell_would_read_them_otherwise() {
-        assert_eq!(quoted("scenes/hall.sce"), "scenes/hall.sce");
-        assert_eq!(quoted("my scene's.sce"), r"'my scene'\''s.sce'");
-        assert_eq!(quoted(""), "''");
-    }
-
-    #[test]
-    fn wrong_answers_weigh_more_than_a_baseline_in_vain() {
+    fn wrong_results_weigh_more_than_an_unrelated_baseline() {
         assert_eq!(exit(false, false, true), Exit::Negative);
         assert_eq!(exit(false, true, true), Exit::Trouble);
         assert_eq!(exit(false, true, false), Exit::Fine);
@@ -248,12 +167,12 @@ mod tests {
     }
 
     #[test]
-    fn who_fails_in_a_sweep_is_told() {
+    fn a_failure_in_a_sweep_is_printed() {
         let mut comparison = Comparison::new(crate::record::Run::default(), "none");
         let entry = |structure: &str, failed| Dropped {
             structure: structure.to_owned(),
             triangles: 1_000,
-            reason: "its answers differ".to_owned(),
+            reason: "its results differ".to_owned(),
             failed,
         };
         let sweep = crate::record::Sweep {
@@ -262,23 +181,8 @@ mod tests {
             ..Default::default()
         };
         comparison.sweeps.push(sweep);
-        let lines = ["hall of 1000 triangles, wrong: its answers differ"];
+        let lines = ["hall of 1000 triangles, wrong: its results differ"];
         assert_eq!(differences(&comparison), lines);
-    }
-
-    #[test]
-    fn a_budget_without_time_for_intervals_is_told() {
-        let told = |sweep: bool, seconds| {
-            let mut plan = Plan::of_scenes(Vec::new());
-            let mesh = crate::assets::generate::MeshKind::ALL[0];
-            plan.sweep = sweep.then(|| SweepPlan { mesh, sizes: vec![1] });
-            plan.sampling_study = true;
-            plan.budget = Some(Duration::from_secs(seconds));
-            too_short(&plan)
-        };
-        let note = "note: 2 parts in 6 s is 3.0 s each, too little for intervals; --budget 10";
-        assert_eq!(told(true, 6).as_deref(), Some(note));
-        assert_eq!((told(true, 10), told(false, 5)), (None, None));
     }
 
     #[test]

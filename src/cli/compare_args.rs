@@ -1,11 +1,11 @@
-//! What is typed for `srt compare`, `srt conformance` and `srt report`.
+//! The definition of `srt compare`, `srt conformance` and `srt report`.
 
 use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
 
-use super::args::{described, named};
+use super::choice::{described, named};
 use super::source::is_stdin;
 use super::structures::{StructureList, Structures};
 use super::values::{Size, percent, seconds, sizes, whole};
@@ -18,11 +18,11 @@ use crate::scene::Structure;
 /// `srt compare`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The folder gets report.html, report.md, report.csv, report.json and the pictures; with\n\
+Writes report.html, report.md, report.csv, report.json and the pictures into the folder; with\n\
 --sampling-study, sampling.csv too.\n\n\
-Exit codes: 0 all answers are equal and nothing became slower; 1 a structure failed or its answers\n\
-differ, or --baseline shows a regression; 2 trouble, or the baseline has nothing in common;\n\
-130 interrupted: what was done is written.\n\n\
+Exit codes: 0 all results are equal and nothing became slower; 1 a structure failed or its results\n\
+differ, or --baseline shows a regression; 2 trouble, or the baseline has nothing in common with\n\
+the comparison; 130 interrupted: what was done is written.\n\n\
 Examples:\n  \
 srt compare scenes/hall.sce\n  \
 srt compare scenes/*.sce --accel bvh,cwbvh --budget 60 --out results/trees\n  \
@@ -35,17 +35,17 @@ pub(crate) struct CompareArguments {
     #[arg(value_name = "SCENE", required_unless_present = "sweep", value_parser = named_file)]
     pub(crate) scenes: Vec<PathBuf>,
 
-    /// The acceleration structures, with commas between them [default: all]
+    /// The acceleration structures, separated by commas [default: all]
     #[arg(long, value_name = "NAMES", value_parser = Structures::default().list_parser())]
     pub(crate) accel: Vec<StructureList>,
 
-    /// The classes of rays that are timed, with commas between them [default: view, shadow,
-    /// mirror, refraction]
+    /// The classes of rays that are timed, separated by commas [default: view, shadow, mirror,
+    /// refraction]
     #[arg(long, value_name = "CLASSES", value_delimiter = ',',
         value_parser = named(&RayClass::ALL, RayClass::name))]
     pub(crate) classes: Vec<RayClass>,
 
-    /// How long a build may take for a better tree
+    /// The quality of the build: slower builds make better trees
     #[arg(long, value_name = "QUALITY", default_value = Quality::default().name(),
         value_parser = named(&Quality::ALL, Quality::name))]
     pub(crate) build: Quality,
@@ -58,30 +58,30 @@ pub(crate) struct CompareArguments {
     /// How long all of it may take [default: 30 for each scene, at most 150; 60 more for --sweep,
     /// and 60 for --sampling-study]
     ///
-    /// A scene may go on a little longer, until the first round of each measurement is whole.
+    /// A scene may take a little longer, until the first round of each measurement is complete.
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = seconds)]
     pub(crate) budget: Option<Duration>,
 
-    /// Rounds of each measurement at least, if the budget allows
+    /// At least so many rounds of each measurement, if the budget allows
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 10,
         value_parser = whole::<u32>(1, 400))]
     pub(crate) rounds: u32,
 
-    /// Width and height of the pictures [default: as the scene says, at most 300 pixels a side]
+    /// Width and height of the pictures [default: those of the scene, at most 300 pixels a side]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub(crate) size: Option<Size>,
 
-    /// N × N samples a pixel; 0 is one ray through its centre [default: as the scene says, at most 2]
+    /// N × N samples a pixel; 0 is one ray through its centre [default: that of the scene, at most 2]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = whole::<u32>(0, u64::from(Options::MAX_AA)))]
     pub(crate) aa: Option<u32>,
 
-    /// Where random numbers start
+    /// The seed of the random numbers
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 0,
         value_parser = whole::<u64>(0, u64::MAX))]
     pub(crate) seed: u64,
 
-    /// Measure growth too: sizes of a generated mesh in triangles, such as 1k..10M
+    /// Also measure growth: sizes of a generated mesh in triangles, such as 1k..10M
     #[arg(long, value_name = "A..B", value_parser = sizes, requires = "mesh")]
     pub(crate) sweep: Option<(u32, u32)>,
 
@@ -90,8 +90,8 @@ pub(crate) struct CompareArguments {
         value_parser = described(&MeshKind::ALL, MeshKind::name, MeshKind::description))]
     pub(crate) mesh: Option<MeshKind>,
 
-    /// Study sampling too: what random numbers and shuffling cost, and how much noise each way of
-    /// sampling area lights leaves for equal samples and for equal time
+    /// Also study sampling: what random numbers and shuffling cost, and how much noise each method
+    /// of sampling area lights leaves for equal samples and for equal time
     #[arg(long, requires = "scenes")]
     pub(crate) sampling_study: bool,
 
@@ -103,16 +103,16 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "FILE", requires = "scenes")]
     pub(crate) baseline: Option<PathBuf>,
 
-    /// How much slower than the baseline is a regression, if the whole 95 % interval is beyond it
+    /// A regression is slower than the baseline by more than this, with its whole 95 % interval
     #[arg(long, value_name = "PERCENT", default_value = "10%", allow_negative_numbers = true,
         value_parser = percent, requires = "baseline")]
     pub(crate) fail_above: f64,
 
-    /// Take unknown commands of the scenes as warnings
+    /// Treat unknown commands of the scenes as warnings
     #[arg(long)]
     pub(crate) lenient: bool,
 
-    /// Print nothing but errors; the files and the exit code tell
+    /// Print nothing but errors; the files and the exit code are the result
     #[arg(long, short)]
     pub(crate) quiet: bool,
 }
@@ -168,7 +168,7 @@ pub(crate) struct ReportArguments {
     pub(crate) quiet: bool,
 }
 
-/// A report names what was compared, and reads it twice.
+/// A report names the files of its scenes, and they are read twice.
 fn named_file(text: &str) -> Result<PathBuf, &'static str> {
     let path = PathBuf::from(text);
     if is_stdin(&path) { Err("a comparison takes scenes from files") } else { Ok(path) }

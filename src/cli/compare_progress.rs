@@ -16,7 +16,7 @@ const TICK: Duration = Duration::from_millis(250);
 
 const TEMPLATE: &str = "{bar:24} {percent:>3} %  {eta} left  {msg}";
 
-/// Watches a comparison, and tells it to stop.
+/// Watches a comparison: shows what is being done, and cancels it.
 pub(super) struct CompareProgress {
     bar: ProgressBar,
     interrupt: Interrupt,
@@ -47,7 +47,7 @@ impl Observer for CompareProgress {
     }
 
     fn cancelled(&self) -> bool {
-        self.interrupt.is_asked()
+        self.interrupt.is_requested()
     }
 }
 

@@ -6,21 +6,21 @@ use std::io::IsTerminal;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::compare_args::ConformanceArguments;
-use super::exit::{Exit, Outcome};
+use super::exit::{CommandResult, Exit};
 use super::output::print;
-use super::terminal::tell_error;
-use crate::compare::guarded;
+use super::terminal::print_error;
+use crate::compare::catch_panic;
 use crate::scene::Structure;
 
 const TEMPLATE: &str = "{bar:32} {percent:>3} %  {msg}";
 
 /// Checks every structure, also after one that fails; the worst decides how the command ends.
-pub(super) fn run(arguments: &ConformanceArguments) -> Outcome {
+pub(super) fn run(arguments: &ConformanceArguments) -> CommandResult {
     let mut worst = Exit::Fine;
     for structure in arguments.structures() {
         let (exit, text) = check(&structure, arguments.quiet);
         match exit {
-            Exit::Trouble => tell_error(text),
+            Exit::Trouble => print_error(text),
             Exit::Fine if arguments.quiet => {}
             _ => print(&format!("{}: {text}\n", structure.name))?,
         }
@@ -38,7 +38,7 @@ fn check(structure: &Structure, quiet: bool) -> (Exit, String) {
         bar.set_length(of as u64);
         bar.set_position(done as u64);
     };
-    let checked = guarded(|| structure.check(&progress));
+    let checked = catch_panic(|| structure.check(&progress));
     bar.finish_and_clear();
     match checked {
         Ok(Some(Ok(summary))) => (Exit::Fine, summary.to_string()),

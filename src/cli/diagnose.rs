@@ -1,5 +1,5 @@
-//! What is wrong with a scene beyond its text: meshes that cannot be had, objects that cannot be
-//! traced. Made into diagnostics at the scene's own lines, so that all trouble looks alike.
+//! What is wrong with a scene beyond its text: meshes that cannot be loaded, objects that cannot be
+//! traced. They become diagnostics at the scene's own lines, so that all errors look alike.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::scene::SceneError;
 use crate::scene_file::{Diagnostic, LineElsewhere};
 use crate::shapes::Single;
 
-/// A mesh that cannot be had, at the place where the scene names it first.
+/// A mesh that cannot be loaded, at the place where the scene names it first.
 pub(crate) fn mesh(error: &AssetError, scene: &SceneDescription) -> Diagnostic {
     let diagnostic =
         Diagnostic::error(scene.meshes[error.reference].span.clone(), error.to_string());
@@ -32,7 +32,7 @@ pub(crate) fn mesh(error: &AssetError, scene: &SceneDescription) -> Diagnostic {
 
 /// One warning for each mesh of which triangles without area were left out.
 pub(crate) fn dropped(scene: &SceneDescription, meshes: &[Arc<MeshData>]) -> Vec<Diagnostic> {
-    let told_before = |i: usize| meshes[..i].iter().any(|mesh| Arc::ptr_eq(mesh, &meshes[i]));
+    let reported = |i: usize| meshes[..i].iter().any(|mesh| Arc::ptr_eq(mesh, &meshes[i]));
     let warning = |(i, mesh): (usize, &Arc<MeshData>)| {
         let reference = &scene.meshes[i];
         let which = match mesh.dropped {
@@ -42,7 +42,7 @@ pub(crate) fn dropped(scene: &SceneDescription, meshes: &[Arc<MeshData>]) -> Vec
         };
         let message = format!("{which} of the mesh `{}` left out", reference.name);
         let kept = format!("{} left", mesh.triangles.len());
-        (!told_before(i))
+        (!reported(i))
             .then(|| Diagnostic::warning(reference.span.clone(), message).with_label(kept))
     };
     meshes.iter().enumerate().filter_map(warning).collect()
@@ -72,7 +72,7 @@ pub(crate) fn eye_in_the_dark(scene: &SceneDescription) -> Option<Diagnostic> {
     Some(warning.with_help("look at `eyepos`, and at the ball's place and size"))
 }
 
-/// What `scene` traces.
+/// What lengths `scene` can trace.
 const RANGE: &str = "coordinates may be up to 1e9, and sizes must be at least 1e-9: choose another \
                      unit of length";
 
@@ -91,7 +91,7 @@ pub(crate) fn scene(error: &SceneError, scene: &SceneDescription) -> Diagnostic 
         )
         .with_label("this object, with the transform in force")
         .with_help(RANGE),
-        // Of lights and cameras no place is kept: the text begins the scene that they are in.
+        // Lights and cameras have no place in the text: the error stands at its beginning.
         SceneError::LightOutOfRange { light } => Diagnostic::error(
             Span::default(),
             format!(

@@ -1,18 +1,18 @@
-//! `srt diff`: whether two pictures are equal, and where they are not. Comparing is the work of
-//! `image_io`; this file reads, tells and exits.
+//! `srt diff`: whether two pictures are equal, and where they differ. The layer `image_io` compares;
+//! this file reads, prints and exits.
 
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
 use super::args::DiffArguments;
-use super::exit::{Exit, Failure, Outcome};
+use super::exit::{CommandResult, Exit, Failure};
 use super::output::{Output, prepare_picture, print};
-use super::terminal::tell;
+use super::terminal::print_message;
 use crate::image_io::{Difference, Format, Picture, compare, decode, difference_picture, encode};
 
 /// Compares two pictures: [`Exit::Fine`] if they are equal, [`Exit::Negative`] if not.
-pub(super) fn run(arguments: &DiffArguments) -> Outcome {
+pub(super) fn run(arguments: &DiffArguments) -> CommandResult {
     // The place of the result is checked before the work.
     let output = arguments.output.as_deref().map(|path| prepare_picture(path, None)).transpose()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
@@ -29,8 +29,10 @@ pub(super) fn run(arguments: &DiffArguments) -> Outcome {
     if let Some((output, format)) = output {
         match difference_picture(&a, &b) {
             Ok(picture) => write(&picture, output, format)?,
-            // Pictures of different sizes are different: an answer, and no trouble.
-            Err(_) => tell("no difference picture was written: it takes pictures of one size"),
+            // Pictures of different sizes are different: a result, and no error.
+            Err(_) => {
+                print_message("no difference picture was written: it takes pictures of one size");
+            }
         }
     }
     Ok(Exit::Negative)
@@ -40,7 +42,7 @@ fn read(path: &Path) -> Result<Picture, Failure> {
     let trouble = |why: &dyn std::fmt::Display| {
         Failure::new(format_args!("cannot read `{}`: {why}", path.display()))
     };
-    // The file first: of one that is missing, the extension is the lesser trouble.
+    // The file first: if it is missing, its extension matters less.
     let bytes = fs::read(path).map_err(|error| match error.kind() {
         ErrorKind::NotFound => trouble(&"there is no such file"),
         _ => trouble(&error),
@@ -54,7 +56,7 @@ fn write(picture: &Picture, output: Output, format: Format) -> Result<(), Failur
     output.write(|to| to.write_all(&bytes)).map_err(Failure::from)
 }
 
-/// What is told of two pictures of the same size.
+/// What is printed about two pictures of the same size.
 fn verdict(difference: &Difference, picture: &Picture) -> String {
     let pixels = u64::from(picture.width) * u64::from(picture.height);
     let size = format!("{} × {} pixels", picture.width, picture.height);

@@ -2,20 +2,21 @@
 
 use std::process::ExitCode;
 
-use super::terminal::tell_error;
+use super::terminal::print_error;
 
 /// The exit codes, as the help and the man page list them.
 pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
-  0    done; for `diff`: equal; for `check`: all scenes are valid
-  1    `diff`: the pictures differ; `check`: a scene is invalid; `compare`, `conformance`: a
-       structure's answers differ or it failed; `compare`: something became slower than the baseline
-  2    trouble: bad arguments, a scene or file that cannot be read, an output that cannot be written;
-       `compare`: the baseline has nothing in common
+  0    done; for `diff`: the pictures are equal; for `check`: all scenes are valid
+  1    `diff`: the pictures differ; `check`: a scene is invalid; `compare`, `conformance`: the
+       results of a structure differ, or it failed; `compare`: something became slower than the
+       baseline
+  2    trouble: bad arguments, a scene or file that cannot be read, an output that cannot be
+       written; `compare`: the baseline has nothing in common with the comparison
   130  interrupted by Ctrl-C
-  141  whoever read the output stopped reading";
+  141  the reader of the output closed it";
 
-/// An end without trouble, or one whose trouble has been told already.
+/// An end without an error, or one whose error has been printed already.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Exit {
     /// All is well.
@@ -28,13 +29,13 @@ pub(crate) enum Exit {
     Interrupted = 130,
 }
 
-/// An end in trouble that is still to be told.
+/// An error that is still to be printed.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
-    /// What to tell after `error: `.
+    /// What to print after `error: `.
     #[error("{0}")]
     Message(String),
-    /// The reader of a pipe went away. It asked for silence by doing so.
+    /// The reader of a pipe closed it, and expects no message.
     #[error("broken pipe")]
     BrokenPipe,
 }
@@ -47,17 +48,17 @@ impl Failure {
 }
 
 /// What every subcommand returns.
-pub(crate) type Outcome = Result<Exit, Failure>;
+pub(crate) type CommandResult = Result<Exit, Failure>;
 
 /// The shells' code for a process that ended by SIGPIPE: 128 + 13.
 const BROKEN_PIPE: u8 = 141;
 
-/// Tells what is still to be told, and makes the code of the process.
-pub(super) fn conclude(outcome: Outcome) -> ExitCode {
-    match outcome {
+/// Prints the error, if there is one, and makes the code of the process.
+pub(super) fn conclude(result: CommandResult) -> ExitCode {
+    match result {
         Ok(exit) => ExitCode::from(exit as u8),
         Err(Failure::Message(message)) => {
-            tell_error(message);
+            print_error(message);
             ExitCode::from(Exit::Trouble as u8)
         }
         Err(Failure::BrokenPipe) => ExitCode::from(BROKEN_PIPE),

@@ -1,130 +1,283 @@
-//! The figures of one rendering: plain data, shown by `summary.rs` and `document.rs`.
+//! The figures of one rendering as plain data: what `--stats=json` prints, and what `summary.rs` puts
+//! into words.
+//!
+//! Times are in seconds, memory is in bytes. What was not counted, and means of nothing, are null.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
+
+use serde::{Serialize, Serializer};
 
 use super::options::RenderOptions;
 use super::source;
-use crate::accel::Quality;
-use crate::counters::Counts;
-use crate::render::{self, RenderStats, Rendering, Scale, Settings, Stage, StageTimes, View};
+use crate::accel::StructureShape;
+use crate::render::{self, RayClass, RenderStats, Rendering, Settings, Spacing, Stage, StageTimes};
 use crate::scene::BuildReport;
 
+/// The version of the JSON: raised when a field changes its meaning or goes away.
+const VERSION: u32 = 1;
+
 /// What one rendering took.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Report {
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Figures {
+    version: u32,
     /// The scene's file, as typed, or `standard input`.
-    pub(crate) scene: String,
-    /// Width of what was rendered, in pixels.
+    scene: String,
+    /// Width and height of what was rendered, in pixels.
     pub(crate) width: u32,
-    /// Height of the same.
     pub(crate) height: u32,
     /// What the pixels show.
-    pub(crate) view: View,
+    view: &'static str,
     /// The scale of its colours, where numbers became colours.
-    pub(crate) scale: Option<Scale>,
-    /// The name of the structure.
-    pub(crate) structure: &'static str,
-    /// The quality of its build.
-    pub(crate) quality: Quality,
-    /// What building it took and gave.
-    pub(crate) build: BuildReport,
-    /// Threads that built and rendered.
-    pub(crate) threads: usize,
+    scale: Option<ScaleEnds>,
     /// Whether Ctrl-C ended it early.
     pub(crate) partial: bool,
+    /// Threads that built and rendered.
+    pub(crate) threads: usize,
+    pub(crate) structure: BuiltStructure,
     /// How long the rendering took, without reading, building and writing.
-    pub(crate) render_time: Duration,
-    /// What the threads spent their time on.
-    pub(crate) thread_times: StageTimes,
+    pub(crate) render_seconds: f64,
+    pub(crate) thread_seconds: ThreadSeconds,
+    /// Rays of all classes.
+    pub(crate) rays: u64,
+    rays_per_second: Option<f64>,
     /// The classes of rays that occurred, in the order of a wave.
-    pub(crate) rays: Vec<RayClass>,
+    pub(crate) classes: Vec<RaysOfClass>,
+}
+
+/// What the ends of a colour scale stand for.
+#[derive(Clone, Copy, Debug, Serialize)]
+struct ScaleEnds {
+    low: f32,
+    high: f32,
+    spacing: &'static str,
+}
+
+/// The structure, and what building it took and gave.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct BuiltStructure {
+    pub(crate) name: &'static str,
+    /// The quality of its build.
+    pub(crate) build: &'static str,
+    pub(crate) build_seconds: f64,
+    /// What these were spent on; empty where the structure does not measure its stages.
+    pub(crate) build_stages: Vec<StageTime>,
+    /// The index over the objects.
+    pub(crate) objects: Index,
+    /// The indices over the meshes' triangles, each mesh once.
+    pub(crate) meshes: Index,
+    /// Triangles of all meshes, each mesh once, and their bytes as they are traced.
+    pub(crate) triangles: u64,
+    pub(crate) triangle_bytes: u64,
+    /// The bytes that a triangle of a mesh takes, with its part of the index.
+    pub(crate) bytes_per_triangle: Option<f64>,
+}
+
+/// A stage of the build.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct StageTime {
+    pub(crate) stage: &'static str,
+    pub(crate) seconds: f64,
+}
+
+/// The size of an index.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Index {
+    pub(crate) bytes: u64,
+    pub(crate) nodes: u64,
+    pub(crate) leaves: u64,
+    pub(crate) depth: u32,
+    /// Number of primitives → how many leaves hold so many.
+    pub(crate) leaf_sizes: BTreeMap<usize, u64>,
+}
+
+/// What the threads spent their time on, added up over all of them.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct ThreadSeconds {
+    pub(crate) total: f64,
+    /// Of all classes; of each, see [`RaysOfClass`].
+    pub(crate) tracing: f64,
+    pub(crate) making_rays: f64,
+    pub(crate) shading: f64,
+    pub(crate) rest: f64,
+    /// All but tracing, and its share in the total.
+    pub(crate) outside_tracing: f64,
+    pub(crate) outside_tracing_share: Option<f64>,
 }
 
 /// The rays of one class.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct RayClass {
-    /// `view`, `shadow`, `mirror`, `refraction`.
-    pub(crate) name: &'static str,
-    /// How many rays.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct RaysOfClass {
+    #[serde(serialize_with = "name")]
+    pub(crate) class: RayClass,
     pub(crate) rays: u64,
     /// How many of them hit something.
-    pub(crate) hits: u64,
+    hits: u64,
     /// How long threads were tracing them, added up.
-    pub(crate) trace_time: Duration,
+    pub(crate) trace_seconds: f64,
     /// What they tested, where that was counted.
-    pub(crate) counts: Option<Counts>,
+    pub(crate) boxes: Option<u64>,
+    pub(crate) primitives: Option<u64>,
+    pub(crate) boxes_per_ray: Option<f64>,
+    pub(crate) primitives_per_ray: Option<f64>,
 }
 
-impl Report {
+impl Figures {
     /// The figures of a rendering.
     pub(crate) fn new(
         options: &RenderOptions,
         settings: &Settings,
-        build: BuildReport,
+        build: &BuildReport,
         rendering: &Rendering,
     ) -> Self {
         let region = settings.region();
-        let counted = settings.count;
+        let stats = &rendering.stats;
+        let render_seconds = stats.time.as_secs_f64();
+        let rays = stats.total_rays();
         Self {
+            version: VERSION,
             scene: source::name(&options.scene),
             width: region.width(),
             height: region.height(),
-            view: settings.view,
+            view: settings.view.name(),
             scale: None,
-            structure: options.structure.name,
-            quality: options.build.quality,
-            build,
-            threads: options.threads,
             partial: !rendering.complete,
-            render_time: rendering.stats.time,
-            thread_times: rendering.stats.thread_times,
-            rays: classes(&rendering.stats, counted),
+            threads: options.threads,
+            structure: BuiltStructure::new(
+                options.structure.name,
+                options.build.quality.name(),
+                build,
+            ),
+            render_seconds,
+            thread_seconds: ThreadSeconds::from(&stats.thread_times),
+            rays,
+            rays_per_second: quotient(rays as f64, render_seconds),
+            classes: classes(stats, settings.count),
         }
     }
 
-    /// The rays of all classes.
-    pub(crate) fn total_rays(&self) -> u64 {
-        self.rays.iter().map(|class| class.rays).sum()
+    /// With the scale of the colours, where numbers became colours.
+    pub(crate) fn with_scale(self, scale: Option<render::Scale>) -> Self {
+        Self { scale: scale.map(ScaleEnds::from), ..self }
     }
 
-    /// The bytes of the indices on both levels.
-    pub(crate) fn index_bytes(&self) -> u64 {
-        self.build.objects.bytes + self.build.meshes.bytes
+    /// What `--stats=json` prints, with a line end.
+    pub(crate) fn to_json(&self) -> Result<String, serde_json::Error> {
+        serde_json::to_string_pretty(self).map(|json| json + "\n")
     }
+}
 
-    /// The bytes that a triangle of a mesh takes, with its part of the index over them.
-    pub(crate) fn bytes_per_triangle(&self) -> Option<f64> {
-        let BuildReport { meshes, triangles, triangle_bytes, .. } = &self.build;
-        (*triangles > 0).then(|| (meshes.bytes + triangle_bytes) as f64 / *triangles as f64)
+impl BuiltStructure {
+    fn new(name: &'static str, quality: &'static str, build: &BuildReport) -> Self {
+        let BuildReport { triangles, triangle_bytes, .. } = *build;
+        let bytes = (build.meshes.bytes + triangle_bytes) as f64;
+        let stage = |(stage, time): (_, Duration)| StageTime { stage, seconds: time.as_secs_f64() };
+        Self {
+            name,
+            build: quality,
+            build_seconds: build.time.as_secs_f64(),
+            build_stages: build.stages.iter().map(stage).collect(),
+            objects: Index::from(&build.objects),
+            meshes: Index::from(&build.meshes),
+            triangles,
+            triangle_bytes,
+            bytes_per_triangle: quotient(bytes, triangles as f64),
+        }
+    }
+}
+
+impl RaysOfClass {
+    /// Of some number of rays, how many hit something, how long they were traced, and what they
+    /// tested if that was counted.
+    fn new(
+        class: RayClass,
+        [rays, hits]: [u64; 2],
+        trace_time: Duration,
+        tests: Option<[u64; 2]>,
+    ) -> Self {
+        let [boxes, primitives] = tests.map_or([None, None], |tests| tests.map(Some));
+        let per_ray = |n: Option<u64>| quotient(n? as f64, rays as f64);
+        Self {
+            class,
+            rays,
+            hits,
+            trace_seconds: trace_time.as_secs_f64(),
+            boxes,
+            primitives,
+            boxes_per_ray: per_ray(boxes),
+            primitives_per_ray: per_ray(primitives),
+        }
     }
 }
 
 /// The classes that occurred; view rays always, so that there is one.
-fn classes(stats: &RenderStats, counted: bool) -> Vec<RayClass> {
-    let class = |class: render::RayClass| {
-        let trace_time = stats.thread_times.of(Stage::Tracing(class));
-        let stats = stats.class(class);
-        let counts = counted.then_some(stats.tests);
-        RayClass { name: class.name(), rays: stats.rays, hits: stats.hits, trace_time, counts }
+fn classes(stats: &RenderStats, counted: bool) -> Vec<RaysOfClass> {
+    let of_class = |class: RayClass| {
+        let own = stats.class(class);
+        let time = stats.thread_times.of(Stage::Tracing(class));
+        let tests = counted.then_some([own.tests.boxes, own.tests.primitives]);
+        RaysOfClass::new(class, [own.rays, own.hits], time, tests)
     };
-    let classes = render::RayClass::ALL.into_iter();
-    classes.map(class).filter(|class| class.rays > 0 || class.name == "view").collect()
+    let classes = RayClass::ALL.into_iter().map(of_class);
+    classes.filter(|own| own.rays > 0 || own.class == RayClass::View).collect()
+}
+
+impl From<render::Scale> for ScaleEnds {
+    fn from(scale: render::Scale) -> Self {
+        let spacing = match scale.spacing {
+            Spacing::Linear => "linear",
+            Spacing::Logarithmic => "logarithmic",
+        };
+        Self { low: scale.low, high: scale.high, spacing }
+    }
+}
+
+impl From<&StageTimes> for ThreadSeconds {
+    fn from(times: &StageTimes) -> Self {
+        let seconds = |stage| times.of(stage).as_secs_f64();
+        Self {
+            total: times.total().as_secs_f64(),
+            tracing: times.tracing().as_secs_f64(),
+            making_rays: seconds(Stage::MakingRays),
+            shading: seconds(Stage::Shading),
+            rest: seconds(Stage::Rest),
+            outside_tracing: times.outside_tracing().as_secs_f64(),
+            outside_tracing_share: times.outside_tracing_share(),
+        }
+    }
+}
+
+impl From<&StructureShape> for Index {
+    fn from(shape: &StructureShape) -> Self {
+        let sizes = shape.leaf_sizes.iter().copied().enumerate();
+        Self {
+            bytes: shape.bytes,
+            nodes: shape.nodes,
+            leaves: shape.leaves,
+            depth: shape.depth,
+            leaf_sizes: sizes.filter(|&(_, leaves)| leaves > 0).collect(),
+        }
+    }
+}
+
+/// A class by its name.
+fn name<S: Serializer>(class: &RayClass, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(class.name())
+}
+
+/// JSON has neither infinity nor NaN.
+pub(super) fn quotient(a: f64, b: f64) -> Option<f64> {
+    (b != 0.0).then(|| a / b)
 }
 
 #[cfg(test)]
 pub(crate) mod tests {
-    use super::*;
-    use crate::accel::{BuildStages, StructureShape};
+    use serde_json::{Value, from_str, json};
 
-    /// Figures to show.
-    pub(crate) fn example() -> Report {
-        let class = |name, rays, milliseconds, boxes, primitives| RayClass {
-            name,
-            rays,
-            hits: rays / 2,
-            trace_time: Duration::from_millis(milliseconds),
-            counts: Some(Counts { boxes, primitives }),
-        };
+    use super::*;
+    use crate::accel::BuildStages;
+
+    fn build() -> BuildReport {
         let mut leaf_sizes = vec![0, 69_990];
         leaf_sizes.resize(5, 0);
         leaf_sizes.push(10);
@@ -147,45 +300,92 @@ pub(crate) mod tests {
         let mut stages = BuildStages::default();
         stages.add("triangles", Duration::from_micros(5_600));
         stages.add("structure", Duration::from_millis(40));
-        let mut thread_times = StageTimes::default();
+        BuildReport {
+            time: Duration::from_micros(45_600),
+            stages,
+            objects,
+            meshes,
+            triangles: 70_000,
+            triangle_bytes: 3_360_000,
+        }
+    }
+
+    fn thread_times() -> StageTimes {
+        let mut times = StageTimes::default();
         for (stage, milliseconds) in [
-            (Stage::Tracing(render::RayClass::View), 250),
-            (Stage::Tracing(render::RayClass::Shadow), 1_250),
+            (Stage::Tracing(RayClass::View), 250),
+            (Stage::Tracing(RayClass::Shadow), 1_250),
             (Stage::MakingRays, 400),
             (Stage::Shading, 500),
             (Stage::Rest, 50),
         ] {
-            thread_times.add(stage, Duration::from_millis(milliseconds));
+            times.add(stage, Duration::from_millis(milliseconds));
         }
-        Report {
+        times
+    }
+
+    /// Figures to show.
+    pub(crate) fn example() -> Figures {
+        let class = |class, rays, tests| {
+            let time = thread_times().of(Stage::Tracing(class));
+            RaysOfClass::new(class, [rays, rays / 2], time, Some(tests))
+        };
+        Figures {
+            version: VERSION,
             scene: "scenes/hall.sce".to_owned(),
             width: 800,
             height: 600,
-            structure: "bvh",
+            view: "color",
+            scale: None,
+            partial: false,
             threads: 2,
-            build: BuildReport {
-                time: Duration::from_micros(45_600),
-                stages,
-                objects,
-                meshes,
-                triangles: 70_000,
-                triangle_bytes: 3_360_000,
-            },
-            render_time: Duration::from_millis(1_250),
-            thread_times,
-            rays: vec![
-                class("view", 1_920_000, 250, 44_928_000, 7_872_000),
-                class("shadow", 8_000_000, 1_250, 96_000_000, 4_000_000),
+            structure: BuiltStructure::new("bvh", "medium", &build()),
+            render_seconds: 1.25,
+            thread_seconds: ThreadSeconds::from(&thread_times()),
+            rays: 9_920_000,
+            rays_per_second: quotient(9_920_000.0, 1.25),
+            classes: vec![
+                class(RayClass::View, 1_920_000, [44_928_000, 7_872_000]),
+                class(RayClass::Shadow, 8_000_000, [96_000_000, 4_000_000]),
             ],
-            ..Report::default()
         }
     }
 
     #[test]
-    fn memory_adds_up() {
-        let report = example();
-        assert_eq!(report.index_bytes(), 4_480_096);
-        assert_eq!(report.bytes_per_triangle(), Some(112.0));
-        assert_eq!(Report::default().bytes_per_triangle(), None);
+    fn totals_and_means() {
+        let value: Value = from_str(&example().to_json().unwrap()).unwrap();
+        assert_eq!(value["version"], 1);
+        assert_eq!(value["rays"], 9_920_000);
+        assert_eq!(value["rays_per_second"], 7_936_000.0);
+        assert_eq!(value["thread_seconds"]["total"], 2.45);
+        assert_eq!(value["thread_seconds"]["tracing"], 1.5);
+        assert_eq!(value["thread_seconds"]["making_rays"], 0.4);
+        assert_eq!(value["thread_seconds"]["outside_tracing"], 0.95);
+        assert_eq!(value["thread_seconds"]["outside_tracing_share"], 0.95 / 2.45);
+        assert_eq!(value["classes"][1]["class"], "shadow");
+        assert_eq!(value["classes"][1]["trace_seconds"], 1.25);
+        assert_eq!(value["structure"]["meshes"]["depth"], 23);
+        assert_eq!(value["structure"]["meshes"]["leaf_sizes"], json!({"1": 69_990, "5": 10}));
+        assert_eq!(value["structure"]["build_stages"][1]["stage"], "structure");
+        assert_eq!(value["structure"]["bytes_per_triangle"], 112.0);
+        assert_eq!(value["classes"][0]["boxes_per_ray"], 23.4);
+        assert_eq!(value["classes"][1]["primitives"], 4_000_000);
+    }
+
+    #[test]
+    fn what_was_not_counted_is_null() {
+        let figures = Figures {
+            structure: BuiltStructure::new("bvh", "medium", &BuildReport::default()),
+            classes: classes(&RenderStats::default(), false),
+            ..example()
+        };
+        let value: Value = from_str(&figures.to_json().unwrap()).unwrap();
+        assert!(value["structure"]["bytes_per_triangle"].is_null());
+        assert_eq!(value["classes"].as_array().unwrap().len(), 1, "view rays are always there");
+        assert!(value["classes"][0]["boxes"].is_null());
+        assert!(value["classes"][0]["boxes_per_ray"].is_null());
+        assert!(value["scale"].is_null());
+        let counted = &classes(&RenderStats::default(), true)[0];
+        assert_eq!((counted.boxes, counted.boxes_per_ray), (Some(0), None), "a mean of nothing");
     }
 }

@@ -1,6 +1,5 @@
-//! What a scene's files are told apart by.
+//! The fingerprint of a scene's files, by which reports distinguish scenes.
 
-use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -8,6 +7,7 @@ use std::path::Path;
 use sha2::{Digest, Sha256};
 
 use crate::assets::generate::Recipe;
+use crate::compare::hexadecimal;
 use crate::description::SceneDescription;
 
 /// SHA-256 of a scene's file and of all mesh files that it names, in its order; hexadecimal.
@@ -18,8 +18,5 @@ pub(super) fn of_scene(path: &Path, description: &SceneDescription) -> io::Resul
     for mesh in description.meshes.iter().filter(|mesh| Recipe::parse(&mesh.name).is_none()) {
         hash.update(fs::read(folder.join(&mesh.name))?);
     }
-    Ok(hash.finalize().iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}"); // writing to a string cannot fail
-        text
-    }))
+    Ok(hexadecimal(&hash.finalize()))
 }

@@ -1,5 +1,5 @@
-//! Ctrl-C: ends the process at once and leaves no unfinished file; but where work is under way that
-//! can stop by itself, the first asks it to, and only the second ends the process.
+//! Ctrl-C: ends the process at once and leaves no unfinished file. During work that can be cancelled,
+//! the first Ctrl-C cancels it, and only the second ends the process.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::exit::Exit;
 use super::output::abandon_and_exit;
 
-/// Tells whether the work shall stop.
+/// Whether Ctrl-C was pressed, for work that can be cancelled.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Interrupt {
     flags: Arc<Flags>,
@@ -16,8 +16,10 @@ pub(crate) struct Interrupt {
 /// They guard no other memory, so their order does not matter to anything else.
 #[derive(Debug, Default)]
 struct Flags {
-    asked: AtomicBool,
-    heeded: AtomicBool,
+    /// Ctrl-C was pressed.
+    requested: AtomicBool,
+    /// Work is under way that stops by itself when it is requested.
+    cancellable: AtomicBool,
 }
 
 impl Interrupt {
@@ -26,30 +28,31 @@ impl Interrupt {
         let interrupt = Self::default();
         let handler = interrupt.clone();
         ctrlc::set_handler(move || {
-            if handler.ask() {
+            if handler.request() {
                 abandon_and_exit(Exit::Interrupted as i32);
             }
         })?;
         Ok(interrupt)
     }
 
-    /// Whether the work shall stop.
-    pub(crate) fn is_asked(&self) -> bool {
-        self.flags.asked.load(Ordering::Relaxed)
+    /// Whether work shall stop.
+    pub(crate) fn is_requested(&self) -> bool {
+        self.flags.requested.load(Ordering::Relaxed)
     }
 
-    /// Runs work that looks at [`is_asked`](Self::is_asked) often, and stops by itself.
-    pub(crate) fn heeded_by<T>(&self, work: impl FnOnce() -> T) -> T {
-        self.flags.heeded.store(true, Ordering::Relaxed);
+    /// Runs work that looks at [`is_requested`](Self::is_requested) often, and stops by itself.
+    pub(crate) fn cancellable<T>(&self, work: impl FnOnce() -> T) -> T {
+        self.flags.cancellable.store(true, Ordering::Relaxed);
         let result = work();
-        self.flags.heeded.store(false, Ordering::Relaxed);
+        self.flags.cancellable.store(false, Ordering::Relaxed);
         result
     }
 
-    /// Asks the work to stop; tells whether nothing will, or did not when it was asked before.
-    fn ask(&self) -> bool {
-        let again = self.flags.asked.swap(true, Ordering::Relaxed);
-        again || !self.flags.heeded.load(Ordering::Relaxed)
+    /// Requests that work stops. Whether the process is to end at once: there is no such work, or it
+    /// was requested before.
+    fn request(&self) -> bool {
+        let again = self.flags.requested.swap(true, Ordering::Relaxed);
+        again || !self.flags.cancellable.load(Ordering::Relaxed)
     }
 }
 
@@ -58,20 +61,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_second_time_is_told_from_the_first() {
+    fn the_second_request_ends_what_the_first_cancels() {
         let interrupt = Interrupt::default();
-        interrupt.heeded_by(|| {
-            assert!(!interrupt.is_asked());
-            assert!(!interrupt.ask());
-            assert!(interrupt.is_asked());
-            assert!(interrupt.clone().ask());
+        interrupt.cancellable(|| {
+            assert!(!interrupt.is_requested());
+            assert!(!interrupt.request());
+            assert!(interrupt.is_requested());
+            assert!(interrupt.clone().request());
         });
     }
 
     #[test]
-    fn where_nothing_heeds_it_the_first_time_is_enough() {
+    fn without_cancellable_work_the_first_request_ends_the_process() {
         let interrupt = Interrupt::default();
-        interrupt.heeded_by(|| {});
-        assert!(interrupt.ask());
+        interrupt.cancellable(|| {});
+        assert!(interrupt.request());
     }
 }

@@ -1,9 +1,9 @@
-//! A scene from its file: read, parsed, its meshes loaded, compiled. What is wrong with it comes
-//! back as text for the terminal; nothing is printed here.
+//! A scene from its file: read, parsed, its meshes loaded, compiled; or the errors in it.
 
 use std::path::{Path, PathBuf};
 
 use super::source::{self, SourceError};
+use super::terminal::{print_error, print_message};
 use super::{diagnose, terminal};
 use crate::assets::load_meshes;
 use crate::description::SceneDescription;
@@ -53,6 +53,14 @@ pub(crate) fn load(path: &Path, lenient: bool) -> Result<Loaded, LoadError> {
     }
 }
 
+/// Prints why there is no scene: all that is wrong with it, then how much that is.
+pub(crate) fn print_load_error(error: &LoadError) {
+    if let LoadError::Invalid { text, .. } = error {
+        print_message(format_args!("{text}\n"));
+    }
+    print_error(error);
+}
+
 /// The scene as written and as traced, and its warnings; or all that is wrong with it.
 fn compile(
     source: &str,
@@ -88,7 +96,7 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().unwrap_or(Path::new(""))
 }
 
-/// In the order of the scene's text; what is said of one place stays in its order.
+/// In the order of the scene's text; those of one place stay in their order.
 fn in_order(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     diagnostics.sort_by_key(|diagnostic| diagnostic.span.start);
     diagnostics

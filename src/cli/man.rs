@@ -1,4 +1,4 @@
-//! `srt man`: the man pages, from the definition in `args.rs`.
+//! `srt man`: the man pages, from the definition of the command.
 
 use std::fs;
 use std::io;
@@ -8,24 +8,24 @@ use clap::Command;
 use clap_mangen::Man;
 
 use super::args::ManArguments;
-use super::exit::{Exit, Failure, Outcome};
+use super::exit::{CommandResult, Exit, Failure};
 use super::output::Output;
 
 /// Prints `srt.1`, or writes it and the subcommands' pages into a folder.
-pub(super) fn run(arguments: &ManArguments, command: Command) -> Outcome {
+pub(super) fn run(arguments: &ManArguments, command: Command) -> CommandResult {
     match &arguments.folder {
         None => print(command),
         Some(folder) => write_all(folder, command),
     }
 }
 
-fn print(command: Command) -> Outcome {
+fn print(command: Command) -> CommandResult {
     let page = page(command).map_err(Failure::new)?;
     Output::stdout().write(|to| to.write_all(&page)).map_err(Failure::from)?;
     Ok(Exit::Fine)
 }
 
-fn write_all(folder: &Path, command: Command) -> Outcome {
+fn write_all(folder: &Path, command: Command) -> CommandResult {
     fs::create_dir_all(folder).map_err(|error| {
         Failure::new(format_args!("cannot make the folder `{}`: {error}", folder.display()))
     })?;
@@ -42,7 +42,7 @@ fn pages(mut command: Command) -> io::Result<Vec<(String, Vec<u8>)>> {
     let mut pages = vec![("srt.1".to_owned(), page(command.clone())?)];
     for subcommand in command.get_subcommands().filter(|s| s.get_name() != "help") {
         let name = format!("srt-{}", subcommand.get_name());
-        // What a page names at its top takes text that lives as long as the program.
+        // The title of a page must live as long as the program.
         let title: &'static str = name.clone().leak();
         pages.push((format!("{name}.1"), page(subcommand.clone().name(title))?));
     }

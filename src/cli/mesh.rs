@@ -1,27 +1,26 @@
-//! `srt mesh`: a generated mesh as a Wavefront OBJ file. What the meshes look like is not known
-//! here.
+//! `srt mesh`: a generated mesh as a Wavefront OBJ file. Knows nothing of the shapes.
 
 use super::args::MeshArguments;
-use super::exit::{Exit, Outcome};
+use super::exit::{CommandResult, Exit};
 use super::output::Output;
-use super::terminal::tell;
+use super::terminal::print_message;
 use crate::assets::generate::generate;
 
 /// Generates and writes the mesh.
-pub(super) fn run(arguments: &MeshArguments) -> Outcome {
+pub(super) fn run(arguments: &MeshArguments) -> CommandResult {
     let output = Output::prepare(&arguments.output)?;
     let mesh = generate(arguments.kind, arguments.triangles, arguments.seed);
     output.write(|mut to| mesh.to_obj(&mut to))?;
     let made = mesh.triangles.len();
-    let asked = arguments.triangles;
-    if made != asked as usize {
+    let requested = arguments.triangles;
+    if made != requested as usize {
         let least = generate(arguments.kind, 1, arguments.seed).triangles.len();
-        let why = if (asked as usize) < least {
-            format!("asked for {asked}, the least is {least}")
+        let why = if (requested as usize) < least {
+            format!("{requested} were requested, the least is {least}")
         } else {
-            format!("asked for {asked}, the form does not allow every number")
+            format!("{requested} were requested, but the shape does not allow every number")
         };
-        tell(format_args!("the {} has {made} triangles: {why}", arguments.kind));
+        print_message(format_args!("the {} has {made} triangles: {why}", arguments.kind));
     }
     Ok(Exit::Fine)
 }

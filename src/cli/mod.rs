@@ -1,35 +1,42 @@
 //! The command: what was typed → work for the other layers → what the terminal shows.
 //!
 //! One file a subcommand. The terminal, its signals and the choice of where a result is written
-//! live here alone; nothing here knows how a ray is traced or how a file format is made of bytes.
+//! are handled here alone; nothing here knows how a ray is traced or how a file format is made of
+//! bytes.
 //!
 //! | file | what |
 //! |---|---|
-//! | `args.rs`, `render_args.rs`, `compare_args.rs`, `values.rs` | what was typed |
-//! | `structures.rs` | what `--accel` may name |
-//! | `options.rs` | what was validated |
-//! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `check.rs`, `diff.rs`, `mesh.rs`, `completions.rs`, `man.rs` | the subcommands |
+//! | `args.rs`, `render_args.rs`, `compare_args.rs` | the definition of the command line |
+//! | `values.rs`, `choice.rs`, `structures.rs` | what the options take: numbers, names, structures |
+//! | `command_line.rs` | the definition with the structures of this program; what was typed |
+//! | `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
+//! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `check.rs`, `diff.rs`, `mesh.rs` | the subcommands |
+//! | `completions.rs`, `man.rs` | the subcommands that print the definition in other forms |
 //! | `output/` | where results go, whole or not at all |
-//! | `result_folder.rs`, `fingerprint.rs` | the files of a comparison; what scenes are told apart by |
+//! | `result_folder.rs`, `fingerprint.rs` | the files of a comparison; the hash of a scene's files |
 //! | `terminal.rs`, `interrupt.rs`, `progress.rs`, `compare_progress.rs` | the terminal |
-//! | `load.rs`, `source.rs`, `diagnose.rs`, `inventory.rs` | a scene from its file; what is wrong with it; what is in it |
-//! | `sight.rs` | what was rendered → the picture that is written |
-//! | `figures.rs`, `document.rs`, `summary.rs`, `units.rs` | figures → text |
+//! | `load.rs`, `source.rs` | a scene from its file |
+//! | `diagnose.rs`, `inventory.rs` | what is wrong with a scene; what is in it |
+//! | `image.rs` | what was rendered → the picture that is written |
+//! | `figures.rs`, `summary.rs` | the figures of a rendering, and their text |
 //! | `exit.rs` | how the command ends |
 
 mod args;
 mod check;
+mod choice;
+mod command_line;
 mod compare;
 mod compare_args;
+mod compare_plan;
 mod compare_progress;
 mod completions;
 mod conformance;
 mod diagnose;
 mod diff;
-mod document;
 mod exit;
 mod figures;
 mod fingerprint;
+mod image;
 mod interrupt;
 mod inventory;
 mod load;
@@ -42,12 +49,10 @@ mod render;
 mod render_args;
 mod report;
 mod result_folder;
-mod sight;
 mod source;
 mod structures;
 mod summary;
 mod terminal;
-mod units;
 mod values;
 
 use std::process::ExitCode;
@@ -56,7 +61,7 @@ use crate::scene::Structure;
 use crate::simd::Isa;
 
 use args::Command;
-use exit::{Failure, Outcome};
+use exit::{CommandResult, Failure};
 use interrupt::Interrupt;
 use structures::Structures;
 
@@ -84,8 +89,8 @@ pub fn run_with(extra: &[Structure]) -> ExitCode {
 }
 
 /// Hands what was typed to the file of its subcommand.
-fn dispatch(structures: &Structures) -> Outcome {
-    let arguments = structures.arguments();
+fn dispatch(structures: &Structures) -> CommandResult {
+    let arguments = command_line::arguments(structures);
     Isa::chosen().map_err(Failure::new)?;
     let interrupt = Interrupt::install().map_err(Failure::new)?;
     match arguments.command {
@@ -97,8 +102,8 @@ fn dispatch(structures: &Structures) -> Outcome {
         Some(Command::Diff(diff)) => diff::run(&diff),
         Some(Command::Mesh(mesh)) => mesh::run(&mesh),
         Some(Command::Completions(completions)) => {
-            completions::run(&completions, structures.command())
+            completions::run(&completions, command_line::command(structures))
         }
-        Some(Command::Man(man)) => man::run(&man, structures.command()),
+        Some(Command::Man(man)) => man::run(&man, command_line::command(structures)),
     }
 }

@@ -1,5 +1,5 @@
-//! What was typed → what was validated: the options of a rendering, checked as far as they can be
-//! before the scene is read. Nothing here is optional that the rendering needs.
+//! What was typed → what was validated: the options of a rendering, checked as far as possible before
+//! the scene is read. Nothing here is optional that the rendering needs.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ use crate::image_io::Format;
 use crate::render::{Crop, Sampling, Settings, View};
 use crate::scene::{Scene, Structure};
 
-/// Everything a rendering is told, but for what the scene says.
+/// All options of a rendering; what is absent is taken from the scene.
 #[derive(Debug)]
 pub(crate) struct RenderOptions {
     /// The scene's file.
@@ -29,7 +29,7 @@ pub(crate) struct RenderOptions {
     pub(crate) build: BuildConfig,
     /// Threads that build and render.
     pub(crate) threads: usize,
-    /// What counts more than what the scene says.
+    /// What replaces the options of the scene.
     pub(crate) overrides: Overrides,
     /// How the samples of lights are made.
     pub(crate) sampling: Sampling,
@@ -45,7 +45,7 @@ pub(crate) struct RenderOptions {
     pub(crate) lenient: bool,
     /// Whether an interrupted rendering is written.
     pub(crate) keep_partial: bool,
-    /// Which figures are printed, and where.
+    /// Which figures are printed, and to which stream.
     pub(crate) stats: Option<Stats>,
     /// Whether progress, warnings and the last line are left out.
     pub(crate) quiet: bool,
@@ -62,7 +62,7 @@ pub(crate) struct Overrides {
     pub(crate) max_recursion: Option<u32>,
 }
 
-/// The figures that `--stats` asks for.
+/// The form of `--stats`, and the stream that it goes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stats {
     /// The table, on standard error.
@@ -110,7 +110,7 @@ impl RenderOptions {
         })
     }
 
-    /// What the renderer is told: what was typed, and what the scene says where nothing was.
+    /// The settings of the renderer: what was typed, and the scene's options where nothing was.
     pub(crate) fn settings(&self, scene: &Scene) -> Result<Settings, Failure> {
         let of_scene = Settings::of_scene(scene);
         let size = self.overrides.size;
@@ -162,11 +162,11 @@ fn check_pixels(region: Crop) -> Result<(), Failure> {
     )))
 }
 
-/// More threads than this for each processor only wait for each other: a build that takes
-/// milliseconds takes seconds with hundreds of them.
+/// More threads than this for each processor only wait for each other: with hundreds of them, a
+/// build of milliseconds takes seconds.
 const MOST_THREADS_A_PROCESSOR: usize = 4;
 
-/// As many threads as were asked for, or one a processor.
+/// As many threads as were typed, or one a processor.
 fn threads(typed: Option<u16>) -> Result<usize, Failure> {
     let processors = available_parallelism().map_or(1, std::num::NonZero::get);
     let (threads, most) =
@@ -193,7 +193,7 @@ fn check_samples(settings: &Settings) -> Result<(), Failure> {
     )))
 }
 
-/// A typing error (`srt scene.sce scene.sce --format png`) must not cost the scene.
+/// A typing error (`srt scene.sce scene.sce --format png`) must not destroy the scene.
 fn refuse_same_file(scene: &Path, output: &Output) -> Result<(), Failure> {
     let real = |path: &Path| fs::canonicalize(path).ok();
     let same = output.file().and_then(real).is_some_and(|file| real(scene) == Some(file));

@@ -1,4 +1,4 @@
-//! The progress bar: percent, million rays a second, time left. Silent unless a person watches.
+//! The progress bar of a rendering: percent, million rays a second, time left. Shown on a terminal only.
 
 use std::fmt::Write;
 use std::io::IsTerminal;
@@ -9,13 +9,13 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use super::interrupt::Interrupt;
-use super::units;
+use super::summary::ray_rate;
 use crate::render::Observer;
 
 /// How often the bar is drawn anew, so that time passes on it even between tiles.
 const TICK: Duration = Duration::from_millis(200);
 
-/// Watches a rendering: shows how far it is, and tells it to stop.
+/// Watches a rendering: shows how much of it is done, and cancels it.
 #[derive(Debug)]
 pub(crate) struct Progress {
     bar: ProgressBar,
@@ -45,7 +45,7 @@ impl Observer for Progress {
     }
 
     fn cancelled(&self) -> bool {
-        self.interrupt.is_asked()
+        self.interrupt.is_requested()
     }
 }
 
@@ -58,7 +58,7 @@ impl Drop for Progress {
 
 fn style(rays: Arc<AtomicU64>) -> ProgressStyle {
     let rate = move |state: &ProgressState, to: &mut dyn Write| {
-        let speed = units::rays_per_second(rays.load(Ordering::Relaxed), state.elapsed());
+        let speed = ray_rate(rays.load(Ordering::Relaxed), state.elapsed().as_secs_f64());
         // Nothing can be done about a terminal that takes no text.
         let _ = to.write_str(&speed);
     };

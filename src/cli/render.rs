@@ -1,34 +1,37 @@
-//! The default command: a scene → a picture. The work is `render`'s; this file loads the scene,
-//! shows progress, writes, and tells what it took.
+//! The default command: a scene → a picture. The layer `render` does the work; this file loads the
+//! scene, shows progress, writes the picture, and prints the figures.
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use super::exit::{Exit, Failure, Outcome};
-use super::figures::Report;
+use super::exit::{CommandResult, Exit, Failure};
+use super::figures::Figures;
 use super::interrupt::Interrupt;
-use super::load::{LoadError, Loaded, load};
+use super::load::{Loaded, load, print_load_error};
 use super::options::{RenderOptions, Stats};
 use super::output::{OutputError, print};
 use super::progress::Progress;
 use super::render_args::RenderArguments;
-use super::terminal::{tell, tell_error};
-use super::{sight, summary};
+use super::terminal::print_message;
+use super::{image, summary};
 use crate::image_io::encode;
 use crate::render::{Rendering, Settings, render};
 use crate::scene::{BuildError, BuildReport, Scene};
 
-/// Renders; a rendering that Ctrl-C ended is written only if the options say so.
-pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> Outcome {
+/// Renders; a rendering that Ctrl-C ended is written only with `--keep-partial`.
+pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> CommandResult {
     let options = RenderOptions::new(arguments)?;
     let pool = pool(options.threads)?;
     let scene = match pool.install(|| load(&options.scene, options.lenient)) {
         Ok(Loaded { scene, warnings, .. }) => {
             if !options.quiet && !warnings.is_empty() {
-                tell(warnings);
+                print_message(warnings);
             }
             scene
         }
-        Err(error) => return Ok(refuse(&error)),
+        Err(error) => {
+            print_load_error(&error);
+            return Ok(Exit::Trouble);
+        }
     };
     let settings = options.settings(&scene)?;
     let traced = pool.install(|| trace(&scene, &settings, &options, interrupt));
@@ -44,15 +47,6 @@ fn pool(threads: usize) -> Result<ThreadPool, Failure> {
         .map_err(|error| Failure::new(format_args!("cannot start {threads} threads: {error}")))
 }
 
-/// Tells why there is no scene.
-fn refuse(error: &LoadError) -> Exit {
-    if let LoadError::Invalid { text, .. } = error {
-        tell(format_args!("{text}\n"));
-    }
-    tell_error(error);
-    Exit::Trouble
-}
-
 /// Builds and renders, on the threads of the current pool.
 fn trace(
     scene: &Scene,
@@ -62,45 +56,45 @@ fn trace(
 ) -> Result<(BuildReport, Rendering), BuildError> {
     let world = options.structure.try_build(scene, &options.build)?;
     let progress = Progress::start(settings.region().pixels(), options.quiet, interrupt.clone());
-    let rendering = interrupt.heeded_by(|| render(scene, &*world, settings, &progress));
+    let rendering = interrupt.cancellable(|| render(scene, &*world, settings, &progress));
     Ok((world.build_report(), rendering))
 }
 
-/// Writes the picture and tells what it took.
+/// Writes the picture, and prints the figures.
 fn conclude(
     settings: &Settings,
     options: RenderOptions,
     build: BuildReport,
     rendering: Rendering,
-) -> Outcome {
+) -> CommandResult {
     if !rendering.complete && !options.keep_partial {
-        tell("interrupted; nothing was written (see --keep-partial)");
+        print_message("interrupted; nothing was written (see --keep-partial)");
         return Ok(Exit::Interrupted);
     }
-    let mut report = Report::new(&options, settings, build, &rendering);
-    let (picture, scale) = sight::picture(rendering.image, settings.view, options.format);
-    report.scale = scale;
+    let figures = Figures::new(&options, settings, &build, &rendering);
+    let (picture, scale) = image::picture(rendering.image, settings.view, options.format);
+    let figures = figures.with_scale(scale);
     let bytes = encode(&picture, options.format).map_err(Failure::new)?;
     options.output.write(|to| to.write_all(&bytes))?;
     if let Some(stats) = options.stats {
-        print_stats(&report, stats)?;
+        print_stats(&figures, stats)?;
     }
     if !options.quiet {
         if let Some(scale) = scale {
-            tell(sight::legend(settings.view, scale));
+            print_message(image::legend(settings.view, scale));
         }
-        tell(summary::line(&report));
+        print_message(summary::line(&figures));
     }
-    Ok(if report.partial { Exit::Interrupted } else { Exit::Fine })
+    Ok(if figures.partial { Exit::Interrupted } else { Exit::Fine })
 }
 
-fn print_stats(report: &Report, stats: Stats) -> Result<(), Failure> {
-    let json = || report.to_json().map_err(Failure::new);
+fn print_stats(figures: &Figures, stats: Stats) -> Result<(), Failure> {
+    let json = || figures.to_json().map_err(Failure::new);
     match stats {
-        Stats::Table => tell(summary::table(report)),
-        Stats::Json { to_stderr: true } => tell(json()?.trim_end()),
+        Stats::Table => print_message(summary::table(figures)),
+        Stats::Json { to_stderr: true } => print_message(json()?.trim_end()),
         Stats::Json { to_stderr: false } => match print(&json()?) {
-            // The picture is written; whoever wanted figures has seen enough.
+            // The picture is written; the reader of the figures has seen enough.
             Ok(()) | Err(OutputError::BrokenPipe) => {}
             Err(error) => return Err(error.into()),
         },

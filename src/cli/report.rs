@@ -4,14 +4,14 @@ use std::fs;
 use std::path::Path;
 
 use super::compare_args::ReportArguments;
-use super::exit::{Exit, Outcome};
+use super::exit::{CommandResult, Exit};
 use super::output::print;
 use super::result_folder::{PictureFiles, ResultFolder, picture_names, read_record};
 use crate::record::Comparison;
 use crate::report::Report;
 
 /// Writes the report again.
-pub(super) fn run(arguments: &ReportArguments) -> Outcome {
+pub(super) fn run(arguments: &ReportArguments) -> CommandResult {
     let own_folder = match arguments.record.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -26,7 +26,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Outcome {
     Ok(Exit::Fine)
 }
 
-/// The pictures that a record names, as far as they are there: a report says which are missing.
+/// The pictures that a record names, as far as they exist: a report lists those that are missing.
 fn pictures(comparison: &Comparison, folder: &Path) -> PictureFiles {
     let read = |name: String| Some((name.clone(), fs::read(folder.join(&name)).ok()?));
     picture_names(comparison).into_iter().filter_map(read).collect()

@@ -1,4 +1,4 @@
-//! The folder of a report: found fit before the work, filled after it.
+//! The folder of a report: checked before the work, filled after it.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -16,14 +16,14 @@ pub(super) type PictureFiles = BTreeMap<String, Vec<u8>>;
 /// The files that every report has.
 const FILES: [&str; 4] = ["report.json", "report.csv", "report.md", "report.html"];
 
-/// A folder that takes files.
+/// A folder in which files can be written.
 #[derive(Debug)]
 pub(super) struct ResultFolder {
     path: PathBuf,
 }
 
 impl ResultFolder {
-    /// Makes a folder, unless it is there, and tries whether it takes the files of a report.
+    /// Makes a folder, unless it exists, and checks that the files of a report can be written in it.
     pub(super) fn prepare(path: &Path) -> Result<Self, Failure> {
         if path.is_file() {
             return Err(Failure::new(format_args!(
@@ -71,12 +71,12 @@ impl ResultFolder {
         Ok(())
     }
 
-    /// The files of the report that is here now which the new one does not replace: they would be
+    /// The files of the older report in this folder which the new one does not replace: they would be
     /// taken for its own. A record may come from anywhere, so only names that this program gives.
     fn stale(&self, comparison: &Comparison) -> Vec<String> {
         let Ok(old) = read_record(&self.path.join("report.json")) else { return Vec::new() };
         let new = picture_names(comparison);
-        // Some file systems take letters of either case for the same.
+        // Some file systems do not distinguish upper and lower case.
         let is_new = |name: &String| new.iter().any(|new| new.eq_ignore_ascii_case(name));
         let given = given_names(&old);
         let mut stale = picture_names(&old);

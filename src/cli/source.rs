@@ -4,10 +4,10 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-/// Why a scene's text cannot be had.
+/// Why a scene's text cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum SourceError {
-    /// What the system says.
+    /// The system's error.
     #[error("cannot read the scene {}: {source}", quoted(path))]
     Io {
         /// As typed.
@@ -22,18 +22,18 @@ pub(crate) fn is_stdin(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// What a scene is called in messages.
+/// The name of a scene in messages.
 pub(crate) fn name(path: &Path) -> String {
     if is_stdin(path) { "standard input".to_owned() } else { path.display().to_string() }
 }
 
-/// The same between backquotes, where it is what was typed.
+/// The same, between backquotes if it was typed.
 pub(crate) fn quoted(path: &Path) -> String {
     if is_stdin(path) { name(path) } else { format!("`{}`", name(path)) }
 }
 
-/// Reads a scene's text from its file, or from standard input where the path is `-`. Remarks in it
-/// may be of any encoding: what is no UTF-8 is replaced.
+/// Reads a scene's text from its file, or from standard input if the path is `-`. Remarks in it may
+/// have any encoding: what is no UTF-8 is replaced.
 pub(crate) fn read(path: &Path) -> Result<String, SourceError> {
     let read = if is_stdin(path) {
         let mut bytes = Vec::new();

@@ -1,19 +1,18 @@
 //! What `--accel` may name: the structures of the library, and those that a program of one's own
 //! adds ([`run_with`](super::run_with)), each with options of its own.
+//! Knows no other option of the command.
 
 use std::ffi::OsStr;
 use std::fmt::Write;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
-use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Arg, Command, CommandFactory, FromArgMatches};
+use clap::{Arg, Command};
 
-use super::args::{self, Arguments};
 use super::exit::Failure;
 use crate::accel::{Allowed, OptionError};
 use crate::scene::{PEERS, STRUCTURES, Structure};
 
-/// All that can be named, in the order in which help lists them.
+/// All that can be named, in the order in which the help lists them.
 #[derive(Clone, Debug)]
 pub(crate) struct Structures(Vec<Structure>);
 
@@ -50,17 +49,8 @@ impl Structures {
         }
     }
 
-    /// The command's definition, with these structures.
-    pub(crate) fn command(&self) -> Command {
-        let list = |arg: Arg| self.explained_in(arg.value_parser(self.list_parser()));
-        Arguments::command()
-            .mut_arg("accel", |arg| self.explained_in(arg.value_parser(self.parser())))
-            .mut_subcommand("compare", |compare| compare.mut_arg("accel", list))
-            .mut_subcommand("conformance", |check| check.mut_arg("accel", list))
-    }
-
     /// The argument, with the options of all structures in its long help.
-    fn explained_in(&self, arg: Arg) -> Arg {
+    pub(crate) fn explained_in(&self, arg: Arg) -> Arg {
         let short = arg.get_help().map(ToString::to_string).unwrap_or_default();
         arg.long_help(format!("{short}\n\n{}", self.options_in_words()))
     }
@@ -84,39 +74,9 @@ impl Structures {
         text
     }
 
-    /// What this process was told.
-    pub(crate) fn arguments(&self) -> Arguments {
-        let matches = self.command().try_get_matches();
-        let read = matches.and_then(|mut matches| Arguments::from_arg_matches_mut(&mut matches));
-        let mut arguments = read.unwrap_or_else(|error| self.explained(error).exit());
-        let named = match &mut arguments.command {
-            Some(args::Command::Compare(compare)) => Some(&mut compare.accel),
-            Some(args::Command::Conformance(check)) => Some(&mut check.accel),
-            _ => None,
-        };
-        if let Some(named) = named.filter(|named| named.is_empty()) {
-            *named = vec![self.own()];
-        }
-        arguments
-    }
-
-    /// All but peers, which take part only where they are named.
-    fn own(&self) -> StructureList {
+    /// Those that a comparison takes where none is named: all but the peers.
+    pub(crate) fn compared_by_default(&self) -> StructureList {
         StructureList(self.0.iter().copied().filter(|one| !one.peer).collect())
-    }
-
-    /// An error of clap's in words that fit: what it takes for a subcommand behind a scene and an
-    /// output is one word too many.
-    fn explained(&self, error: clap::Error) -> clap::Error {
-        match error.get(ContextKind::InvalidSubcommand) {
-            Some(ContextValue::String(word)) => self.command().error(
-                ErrorKind::UnknownArgument,
-                format_args!(
-                    "unexpected argument `{word}`: a rendering takes a scene and an output"
-                ),
-            ),
-            _ => error,
-        }
     }
 
     /// Takes one, with its options.
@@ -261,61 +221,6 @@ mod tests {
     use super::*;
     use crate::accel::{Bvh, Exhaustive};
 
-    const MINE: Structure = Structure::new::<Exhaustive, Bvh>("mine", "one of one's own");
-
-    fn read(structures: &Structures, typed: &[&str]) -> Result<Arguments, String> {
-        let matches = structures.command().try_get_matches_from(typed);
-        let read = matches.and_then(|mut matches| Arguments::from_arg_matches_mut(&mut matches));
-        read.map_err(|error| error.to_string())
-    }
-
-    fn compared(list: &str) -> Result<Vec<&'static str>, String> {
-        let structures = Structures::with(&[MINE]).unwrap();
-        let read = read(&structures, &["srt", "compare", "a.sce", "--accel", list])?;
-        let Some(args::Command::Compare(compare)) = read.command else { panic!("{read:?}") };
-        Ok(compare.structures().iter().map(|one| one.name).collect())
-    }
-
-    #[test]
-    fn what_is_added_can_be_named_wherever_the_librarys_can() {
-        let structures = Structures::with(&[MINE]).unwrap();
-        let named = |typed: &[&str]| read(&structures, typed).unwrap().render.accel.name;
-        assert_eq!(named(&["srt", "a.sce", "a.png", "--accel", "mine"]), "mine");
-        assert_eq!(named(&["srt", "a.sce", "a.png", "--accel", "mine:leaf=4"]), "mine:leaf=4");
-        assert_eq!(named(&["srt", "a.sce", "a.png"]), "bvh8");
-        assert_eq!(compared("none,mine").unwrap(), ["none", "mine"]);
-        let help = structures.command().render_long_help().to_string();
-        assert!(help.contains("mine") && help.contains("one of one's own"), "{help}");
-        assert!(help.contains("mine:leaf=1..") && help.contains("bvh8:builder=sah|ploc"), "{help}");
-    }
-
-    #[test]
-    fn options_in_a_list_belong_to_the_structure_before_them() {
-        assert_eq!(
-            compared("none,bvh8:leaf=4,builder=ploc,bvh,bvh8,cwbvh:leaf=2,mine:leaf=3").unwrap(),
-            ["none", "bvh8:builder=ploc,leaf=4", "bvh", "bvh8", "cwbvh:leaf=2", "mine:leaf=3"]
-        );
-        assert_eq!(compared("bvh,leaf=2,none").unwrap(), ["bvh:leaf=2", "none"]);
-    }
-
-    #[test]
-    fn what_is_wrong_is_said_with_what_would_be_right() {
-        let error = |list: &str| compared(list).unwrap_err();
-        for (list, parts) in [
-            ("none,bhv:leaf=4", &["'bhv'", "none", "cwbvh"][..]),
-            ("bvh8:builer=sah", &["`builer`", "did you mean `builder`?", "`leaf`"]),
-            ("bvh8:builder=plco", &["`plco`", "`sah`, `ploc`", "did you mean `ploc`?"]),
-            ("none,bvh8:leaf=9,bvh", &["'bvh8:leaf=9'", "`9`", "a whole number from 1 to 8"]),
-            ("bvh8:leaf", &["`leaf` is not an option with its value"]),
-            ("none:leaf=1", &["no option `leaf`", "has none"]),
-            ("bvh8:leaf=1,leaf=2", &["`leaf` is given twice"]),
-            ("", &["a value is required", "none"]),
-        ] {
-            let text = error(list);
-            assert!(parts.iter().all(|part| text.contains(part)), "{list}: {text}");
-        }
-    }
-
     #[test]
     fn a_name_can_be_typed_and_be_part_of_a_files() {
         for name in ["", "a,b", "../a", "a b", "gitter-ä", "a:b"] {
@@ -330,9 +235,10 @@ mod tests {
 
     #[test]
     fn a_name_is_taken_once() {
+        let mine = Structure::new::<Exhaustive, Bvh>("mine", "one of one's own");
         let bvh = Structure::new::<Exhaustive, Bvh>("bvh", "another");
         let refused = |extra: &[Structure]| Structures::with(extra).unwrap_err().to_string();
-        assert_eq!(refused(&[MINE, bvh]), "two structures are called `bvh`");
-        assert_eq!(refused(&[MINE, MINE]), "two structures are called `mine`");
+        assert_eq!(refused(&[mine, bvh]), "two structures are called `bvh`");
+        assert_eq!(refused(&[mine, mine]), "two structures are called `mine`");
     }
 }

@@ -1,39 +1,44 @@
-//! Figures → text: the line at the end of a rendering, and the table of `--stats`.
+//! Figures → text: the line at the end of a rendering, and the table of `--stats`. Numbers and columns
+//! are those of the reports, with spaces that every terminal shows as such.
 
 use std::fmt::Write;
 
-use super::figures::{RayClass, Report};
-use super::units;
-use crate::accel::StructureShape;
-use crate::counters::Counts;
+use super::figures::{Figures, Index, RaysOfClass, quotient};
+use crate::analysis::statistics::million_per_second;
 use crate::render::Stage;
+use crate::report::numbers::{self, NOTHING};
+use crate::report::terminal_table;
+use crate::report::{Cell, Table};
 
 /// Size, structure, build time, render time, rays by class, million rays a second.
-pub(crate) fn line(report: &Report) -> String {
-    let partial = if report.partial { " (stopped early)" } else { "" };
-    let share = report.thread_times.tracing_share();
+pub(crate) fn line(figures: &Figures) -> String {
+    let partial = if figures.partial { " (stopped early)" } else { "" };
+    let share = quotient(figures.thread_seconds.tracing, figures.thread_seconds.total);
     let tracing = share.map_or(String::new(), |s| format!(" ({:.0} % of it tracing)", 100.0 * s));
-    format!(
+    plain(&format!(
         "{} × {}, {}: built in {}, rendered in {}{tracing}{partial}, {}, {}",
-        report.width,
-        report.height,
-        report.structure,
-        units::time(report.build.time),
-        units::time(report.render_time),
-        rays(report),
-        units::rays_per_second(report.total_rays(), report.render_time),
-    )
+        figures.width,
+        figures.height,
+        figures.structure.name,
+        numbers::duration(figures.structure.build_seconds),
+        numbers::duration(figures.render_seconds),
+        rays(figures),
+        ray_rate(figures.rays, figures.render_seconds),
+    ))
+}
+
+/// A speed in rays: `12.3 M rays/s`. No time gives no speed.
+pub(crate) fn ray_rate(rays: u64, seconds: f64) -> String {
+    let rate = million_per_second(rays, 1e9 * seconds).map(numbers::figures);
+    format!("{} M rays/s", rate.as_deref().unwrap_or(NOTHING))
 }
 
 /// `9.92 M rays (1.92 M view, 8.00 M shadow)`.
-fn rays(report: &Report) -> String {
-    let classes: Vec<String> = report
-        .rays
-        .iter()
-        .filter(|class| class.rays > 0)
-        .map(|class| format!("{} {}", units::count(class.rays), class.name))
-        .collect();
-    let total = units::count(report.total_rays());
+fn rays(figures: &Figures) -> String {
+    let occurred = figures.classes.iter().filter(|own| own.rays > 0);
+    let classes: Vec<String> =
+        occurred.map(|own| format!("{} {}", numbers::count(own.rays), own.class.name())).collect();
+    let total = numbers::count(figures.rays);
     if classes.is_empty() {
         format!("{total} rays")
     } else {
@@ -41,131 +46,147 @@ fn rays(report: &Report) -> String {
     }
 }
 
-/// The table of `--stats`: facts about the structure, then a line for each class of rays.
-pub(crate) fn table(report: &Report) -> String {
+/// The table of `--stats`: facts about the structure, its indices, the classes of rays, and what the
+/// threads spent their time on.
+pub(crate) fn table(figures: &Figures) -> String {
     let mut text = String::new();
-    for (name, value) in facts(report) {
+    for (name, value) in facts(figures) {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{name:<12}{value}");
     }
-    text.push('\n');
-    let heading = ["index", "nodes", "leaves", "depth", "bytes", "leaf sizes"].map(str::to_owned);
-    let levels = [("objects", &report.build.objects), ("meshes", &report.build.meshes)];
-    for [name, nodes, leaves, depth, bytes, sizes] in
-        std::iter::once(heading).chain(levels.map(|(name, shape)| level(name, shape)))
-    {
-        let _ = writeln!(text, "{name:<12}{nodes:>10}{leaves:>10}{depth:>7}{bytes:>12}   {sizes}");
+    for table in [indices(figures), classes(figures), stages(figures)] {
+        text.push('\n');
+        text.push_str(&terminal_table(&table));
     }
-    text.push('\n');
-    let heading = ["rays", "count", "boxes/ray", "primitives/ray"].map(str::to_owned);
-    let rows = report.rays.iter().map(row).chain(total_row(report));
-    for [name, count, boxes, primitives] in std::iter::once(heading).chain(rows) {
-        let _ = writeln!(text, "{name:<12}{count:>10}{boxes:>13}{primitives:>18}");
-    }
-    text.push('\n');
-    let heading = ["threads", "time", "share"].map(str::to_owned);
-    for [name, time, share] in std::iter::once(heading).chain(stages(report)) {
-        let _ = writeln!(text, "{name:<24}{time:>10}{share:>9}");
-    }
-    text
+    plain(&text)
 }
 
-/// What the threads spent their time on: the stages that took any, and all of them but tracing.
-fn stages(report: &Report) -> impl Iterator<Item = [String; 3]> {
-    let times = &report.thread_times;
-    let row = |name: &str, time, share: Option<f64>| {
-        let share = share.map_or(String::new(), |share| format!("{:.1} %", 100.0 * share));
-        [name.to_owned(), units::time(time), share]
-    };
-    let taken = Stage::ALL.into_iter().filter(|&stage| !times.of(stage).is_zero());
-    let stages = taken.map(move |stage| row(stage.name(), times.of(stage), times.share(stage)));
-    let (outside, share) = (times.outside_tracing(), times.outside_tracing_share());
-    stages.chain(std::iter::once(row("all outside tracing", outside, share)))
-}
-
-fn facts(report: &Report) -> [(&'static str, String); 5] {
+fn facts(figures: &Figures) -> [(&'static str, String); 5] {
+    let structure = &figures.structure;
+    let build = numbers::duration(structure.build_seconds);
     [
-        ("structure", format!("{}, {} build", report.structure, report.quality.name())),
-        ("built in", format!("{}{}", units::time(report.build.time), build_stages(report))),
-        ("rendered in", units::time(report.render_time)),
-        ("threads", report.threads.to_string()),
-        ("memory", memory(report)),
+        ("structure", format!("{}, {} build", structure.name, structure.build)),
+        ("built in", format!("{build}{}", build_stages(figures))),
+        ("rendered in", numbers::duration(figures.render_seconds)),
+        ("threads", figures.threads.to_string()),
+        ("memory", memory(figures)),
     ]
 }
 
-/// ` (boxes 1.20 ms, clustering 30.1 ms)`, or nothing where the structure does not tell.
-fn build_stages(report: &Report) -> String {
-    let stages = report.build.stages.iter();
+/// ` (boxes 1.20 ms, clustering 30.1 ms)`, or nothing where the structure does not measure them.
+fn build_stages(figures: &Figures) -> String {
+    let stages = figures.structure.build_stages.iter();
     let stages: Vec<_> =
-        stages.map(|(stage, time)| format!("{stage} {}", units::time(time))).collect();
+        stages.map(|own| format!("{} {}", own.stage, numbers::duration(own.seconds))).collect();
     if stages.is_empty() { String::new() } else { format!(" ({})", stages.join(", ")) }
 }
 
-/// `4.27 MiB index, 3.20 MiB for 70.0 k triangles: 112.0 B a triangle`.
-fn memory(report: &Report) -> String {
-    let index = format!("{} index", units::bytes(report.index_bytes()));
-    match report.bytes_per_triangle() {
+/// `4.27 MiB index, 3.20 MiB for 70.0 k triangles: 112 B a triangle`.
+fn memory(figures: &Figures) -> String {
+    let structure = &figures.structure;
+    let index = numbers::bytes(structure.objects.bytes + structure.meshes.bytes);
+    match structure.bytes_per_triangle {
         Some(each) => format!(
-            "{index}, {} for {} triangles: {each:.1} B a triangle",
-            units::bytes(report.build.triangle_bytes),
-            units::count(report.build.triangles),
+            "{index} index, {} for {} triangles: {} B a triangle",
+            numbers::bytes(structure.triangle_bytes),
+            numbers::count(structure.triangles),
+            numbers::figures(each),
         ),
-        None => index,
+        None => format!("{index} index"),
     }
 }
 
-/// One of the two levels of a structure.
-fn level(name: &str, shape: &StructureShape) -> [String; 6] {
-    [
-        name.to_owned(),
-        units::count(shape.nodes),
-        units::count(shape.leaves),
-        shape.depth.to_string(),
-        units::bytes(shape.bytes),
-        leaf_sizes(shape),
-    ]
+/// The two levels of the structure.
+fn indices(figures: &Figures) -> Table {
+    let heads = ["index", "#nodes", "#leaves", "#depth", "#bytes", "leaf sizes"];
+    let mut table = Table::new("", "", &heads);
+    let levels = [("objects", &figures.structure.objects), ("meshes", &figures.structure.meshes)];
+    table.rows = levels.map(|(name, index)| index_row(name, index)).into();
+    table
 }
 
-/// `1 to 5 primitives, 1.00 on average`.
-fn leaf_sizes(shape: &StructureShape) -> String {
-    let sizes = || shape.leaf_sizes.iter().enumerate().filter(|(_, leaves)| **leaves > 0);
-    let primitives: u64 = sizes().map(|(size, leaves)| size as u64 * leaves).sum();
-    let (Some((least, _)), Some((most, _))) = (sizes().next(), sizes().next_back()) else {
-        return "–".to_owned();
+fn index_row(name: &str, index: &Index) -> Vec<Cell> {
+    let cells = [
+        name.to_owned(),
+        numbers::count(index.nodes),
+        numbers::count(index.leaves),
+        index.depth.to_string(),
+        numbers::bytes(index.bytes),
+        leaf_sizes(index),
+    ];
+    cells.map(Cell::text).into()
+}
+
+/// `1 to 5, 1.00 on average`.
+fn leaf_sizes(index: &Index) -> String {
+    let sizes = &index.leaf_sizes;
+    let (Some((least, _)), Some((most, _))) = (sizes.first_key_value(), sizes.last_key_value())
+    else {
+        return NOTHING.to_owned();
     };
     if least == most {
         return format!("{least}");
     }
-    format!("{least} to {most}, {} on average", units::per_ray(primitives, shape.leaves))
+    let primitives: u64 = sizes.iter().map(|(&size, leaves)| size as u64 * leaves).sum();
+    let mean = quotient(primitives as f64, index.leaves as f64);
+    format!("{least} to {most}, {} on average", or_nothing(mean))
 }
 
-fn row(class: &RayClass) -> [String; 4] {
-    let per_ray = |n: fn(Counts) -> u64| {
-        class.counts.map_or("–".to_owned(), |counts| units::per_ray(n(counts), class.rays))
+/// The rays by class, and all together if there are several classes.
+fn classes(figures: &Figures) -> Table {
+    let heads = ["rays", "#count", "#boxes/ray", "#primitives/ray"];
+    let mut table = Table::new("", "", &heads);
+    let row = |name: &str, rays: u64, tests: [Option<f64>; 2]| {
+        let [boxes, primitives] = tests.map(or_nothing);
+        [name.to_owned(), numbers::count(rays), boxes, primitives].map(Cell::text).into()
     };
-    [
-        class.name.to_owned(),
-        units::count(class.rays),
-        per_ray(|counts| counts.boxes),
-        per_ray(|counts| counts.primitives),
-    ]
-}
-
-/// All classes together, if there are several.
-fn total_row(report: &Report) -> Option<[String; 4]> {
-    let mut counts = Counts::default();
-    for class in &report.rays {
-        counts += class.counts?;
+    let of_class = |own: &RaysOfClass| {
+        row(own.class.name(), own.rays, [own.boxes_per_ray, own.primitives_per_ray])
+    };
+    table.rows = figures.classes.iter().map(of_class).collect();
+    if figures.classes.len() > 1 {
+        let mean = |tests: fn(&RaysOfClass) -> Option<u64>| {
+            let sum: Option<u64> = figures.classes.iter().map(tests).sum();
+            quotient(sum? as f64, figures.rays as f64)
+        };
+        table.rows.push(row(
+            "all",
+            figures.rays,
+            [mean(|own| own.boxes), mean(|own| own.primitives)],
+        ));
     }
-    let hits = report.rays.iter().map(|class| class.hits).sum();
-    let total = RayClass {
-        name: "all",
-        rays: report.total_rays(),
-        hits,
-        trace_time: report.thread_times.tracing(),
-        counts: Some(counts),
+    table
+}
+
+/// What the threads spent their time on: the stages that took any, and all of them but tracing.
+fn stages(figures: &Figures) -> Table {
+    let mut table = Table::new("", "", &["threads", "#time", "#share"]);
+    let seconds = &figures.thread_seconds;
+    let row = |name: &str, time: f64| {
+        let share = quotient(time, seconds.total).map_or(String::new(), numbers::percent);
+        [name.to_owned(), numbers::duration(time), share].map(Cell::text).into()
     };
-    (report.rays.len() > 1).then(|| row(&total))
+    let tracing = figures.classes.iter().map(|own| (Stage::Tracing(own.class), own.trace_seconds));
+    let others = [
+        (Stage::MakingRays, seconds.making_rays),
+        (Stage::Shading, seconds.shading),
+        (Stage::Rest, seconds.rest),
+    ];
+    let taken = tracing.chain(others).filter(|&(_, time)| time > 0.0);
+    table.rows = taken.map(|(stage, time)| row(stage.name(), time)).collect();
+    table.rows.push(row("all outside tracing", seconds.outside_tracing));
+    table
+}
+
+/// A number with three figures, or a dash.
+fn or_nothing(number: Option<f64>) -> String {
+    number.map_or_else(|| NOTHING.to_owned(), numbers::figures)
+}
+
+/// Reports keep a number and its unit in one line; a terminal breaks no lines, and what is copied
+/// from it should hold plain spaces.
+fn plain(text: &str) -> String {
+    text.replace(['\u{a0}', '\u{202f}'], " ")
 }
 
 #[cfg(test)]
@@ -183,12 +204,21 @@ mod tests {
     }
 
     #[test]
-    fn the_line_of_a_stopped_rendering_says_so() {
-        let report = Report { partial: true, rays: Vec::new(), ..example() };
+    fn the_line_of_a_stopped_rendering_shows_that() {
+        let mut figures = example();
+        (figures.partial, figures.rays) = (true, 0);
+        figures.classes.clear();
         assert!(
-            line(&report)
+            line(&figures)
                 .contains("rendered in 1.25 s (61 % of it tracing) (stopped early), 0 rays, ")
         );
+    }
+
+    #[test]
+    fn rates() {
+        assert_eq!(ray_rate(12_345_678, 1.0), "12.3 M rays/s");
+        assert_eq!(ray_rate(12_345, 1.0), "0.0123 M rays/s");
+        assert_eq!(ray_rate(5, 0.0), "– M rays/s");
     }
 
     #[test]
@@ -198,24 +228,24 @@ structure   bvh, medium build
 built in    45.6 ms (triangles 5.60 ms, structure 40.0 ms)
 rendered in 1.25 s
 threads     2
-memory      4.27 MiB index, 3.20 MiB for 70.0 k triangles: 112.0 B a triangle
+memory      4.27 MiB index, 3.20 MiB for 70.0 k triangles: 112 B a triangle
 
-index            nodes    leaves  depth       bytes   leaf sizes
-objects              3         2      1        96 B   1
-meshes           140 k    70.0 k     23    4.27 MiB   1 to 5, 1.00 on average
+index    nodes  leaves  depth     bytes  leaf sizes
+objects      3       2      1      96 B  1
+meshes   140 k  70.0 k     23  4.27 MiB  1 to 5, 1.00 on average
 
-rays             count    boxes/ray    primitives/ray
-view            1.92 M        23.40              4.10
-shadow          8.00 M        12.00              0.50
-all             9.92 M        14.21              1.20
+rays     count  boxes/ray  primitives/ray
+view    1.92 M       23.4            4.10
+shadow  8.00 M       12.0           0.500
+all     9.92 M       14.2            1.20
 
-threads                       time    share
-tracing view rays           250 ms   10.2 %
-tracing shadow rays         1.25 s   51.0 %
-making rays                 400 ms   16.3 %
-shading                     500 ms   20.4 %
-the rest                   50.0 ms    2.0 %
-all outside tracing         950 ms   38.8 %
+threads                 time   share
+tracing view rays     250 ms  10.2 %
+tracing shadow rays   1.25 s  51.0 %
+making rays           400 ms  16.3 %
+shading               500 ms  20.4 %
+the rest             50.0 ms   2.0 %
+all outside tracing   950 ms  38.8 %
 ";
         assert_eq!(table(&example()), expected);
     }

@@ -3,16 +3,16 @@
 use std::ffi::OsStr;
 use std::io::{self, IsTerminal, Write};
 
-/// Writes a line to standard error. If nobody can read it, nothing is left to tell anybody, and
-/// that must not change how the command ends (`eprintln!` would panic).
-pub(crate) fn tell(text: impl std::fmt::Display) {
+/// Writes a line to standard error. If that cannot be written, nobody can be informed, and it must
+/// not change how the command ends (`eprintln!` would panic).
+pub(crate) fn print_message(text: impl std::fmt::Display) {
     let _ = writeln!(io::stderr(), "{text}");
 }
 
-/// Tells an error: `error: …`, as all messages of the command begin.
-pub(crate) fn tell_error(message: impl std::fmt::Display) {
+/// Writes an error: `error: …`, as all errors of the command begin.
+pub(crate) fn print_error(message: impl std::fmt::Display) {
     let (bold_red, plain) = if colors() { ("\x1b[1;31m", "\x1b[0m") } else { ("", "") };
-    tell(format_args!("{bold_red}error:{plain} {message}"));
+    print_message(format_args!("{bold_red}error:{plain} {message}"));
 }
 
 /// Whether text for standard error may carry colours.
@@ -24,12 +24,12 @@ pub(crate) fn colors() -> bool {
     )
 }
 
-/// The rule of <https://no-color.org>: any `NO_COLOR` but an empty one says no; so does a terminal
-/// that calls itself dumb, and anything that is no terminal.
+/// The rule of <https://no-color.org>: any `NO_COLOR` but an empty one forbids colours; so does
+/// `TERM=dumb`, and anything that is no terminal.
 fn decide(no_color: Option<&OsStr>, term: Option<&OsStr>, terminal: bool) -> bool {
-    let asked_not_to = no_color.is_some_and(|value| !value.is_empty());
+    let forbidden = no_color.is_some_and(|value| !value.is_empty());
     let dumb = term.is_some_and(|value| value == "dumb");
-    terminal && !asked_not_to && !dumb
+    terminal && !forbidden && !dumb
 }
 
 #[cfg(test)]

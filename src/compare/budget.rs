@@ -2,10 +2,10 @@
 
 use std::time::{Duration, Instant};
 
-/// What is spent where nobody set a limit: shares are taken of it, rounds end by themselves.
+/// The time that shares are taken of where there is no limit: rounds then end by their rule.
 const UNLIMITED: Duration = Duration::from_secs(600);
 
-/// A part of the time that a comparison was given.
+/// A part of the time of a comparison.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Budget {
     start: Instant,
@@ -13,9 +13,14 @@ pub(super) struct Budget {
 }
 
 impl Budget {
-    /// All of it, from now on; `None` has room for every round that the rule asks for.
+    /// All of it, from now on; `None` has room for every round of the rule.
     pub(super) fn from_now(length: Option<Duration>) -> Self {
         Self { start: Instant::now(), length: length.unwrap_or(UNLIMITED) }
+    }
+
+    /// One that is never spent.
+    pub(super) fn endless() -> Self {
+        Self { start: Instant::now(), length: Duration::MAX }
     }
 
     /// What is left.

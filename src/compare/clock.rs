@@ -1,11 +1,11 @@
-//! The time that something takes, on the wall and of the processor.
+//! The time that some work takes: wall time and processor time.
 
 use std::time::{Duration, Instant};
 
 use crate::record::Round;
 
-/// Runs something and measures it.
-pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, Round) {
+/// Runs something and measures it: wall time, and processor time where the system grants it.
+pub fn timed<T>(work: impl FnOnce() -> T) -> (T, Round) {
     let cpu = processor_time();
     let start = Instant::now();
     let result = work();
@@ -19,7 +19,7 @@ pub(super) fn nanoseconds(time: Duration) -> u64 {
     u64::try_from(time.as_nanos()).unwrap_or(u64::MAX)
 }
 
-/// What the processor has spent on all threads of this process.
+/// The processor time of all threads of this process.
 #[cfg(unix)]
 fn processor_time() -> Option<Duration> {
     use rustix::time::{ClockId, clock_gettime};

@@ -1,16 +1,16 @@
-//! The commit that the program was built from, asked of git when a report is made.
+//! The commit that the program was built from, by a query to git when a report is made.
 //!
 //! A build does not note the commit itself: every commit would then compile everything anew. It
 //! notes the fingerprint of its sources, and a commit is named only if the sources that it was
-//! built from still lie in their place. A commit that changed none of them is as good a name for
-//! the program as the one before it.
+//! built from still lie in their place. A commit that changed none of them names the program as
+//! well as the one before it.
 
 use std::path::Path;
 use std::process::Command;
 
 use super::sources::{SOURCES, fingerprint};
 
-/// What points git at a repository other than that of a folder.
+/// Variables that lead git to another repository than that of a folder.
 const ELSEWHERE: [&str; 3] = ["GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE"];
 
 /// The commit whose sources the program was built from, with `-dirty` behind it if they had
@@ -23,7 +23,7 @@ fn commit_of(root: &Path, built_from: &str) -> Option<String> {
     if fingerprint(root).ok()? != built_from {
         return None;
     }
-    // Below somebody else's repository the package is a copy, and that commit is not its own.
+    // Inside of another repository the package is a copy, and that commit is not its own.
     if !git(root, &["rev-parse", "--show-prefix"])?.is_empty() {
         return None;
     }
@@ -32,7 +32,7 @@ fn commit_of(root: &Path, built_from: &str) -> Option<String> {
     Some(if git(root, &status)?.is_empty() { commit } else { commit + "-dirty" })
 }
 
-/// What git says in a folder, if it is there and does not fail.
+/// The output of git in a folder; `None` if git is missing or fails.
 fn git(root: &Path, arguments: &[&str]) -> Option<String> {
     let mut command = Command::new("git");
     ELSEWHERE.iter().for_each(|name| {

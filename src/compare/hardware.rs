@@ -1,7 +1,7 @@
 //! What the processor counts while a thread works: cycles, instructions, misses.
 //!
 //! Linux grants this to some programs on some machines. Where it does not, nothing is counted and
-//! nothing is said.
+//! the fields of the record are absent.
 
 use crate::record::HardwareCounters;
 
@@ -25,7 +25,7 @@ mod system {
     pub(in crate::compare) struct Hardware([Option<Counter>; 4]);
 
     impl Hardware {
-        /// Asks for the counters of the calling thread.
+        /// Opens the counters of the calling thread.
         pub(in crate::compare) fn of_this_thread() -> Self {
             let events =
                 [Event::CPU_CYCLES, Event::INSTRUCTIONS, Event::BRANCH_MISSES, Event::CACHE_MISSES];
@@ -38,7 +38,7 @@ mod system {
             work: impl FnOnce() -> T,
         ) -> (T, Option<HardwareCounters>) {
             for counter in self.0.iter_mut().flatten() {
-                // One that cannot be set going is read as one that missed the work.
+                // One that cannot be started is read as one that missed the work.
                 let _ = counter.reset().and_then(|()| counter.enable());
             }
             let result = work();
@@ -49,7 +49,7 @@ mod system {
         }
     }
 
-    /// What was counted; `None` if the counter was not at work all the time.
+    /// What was counted; `None` if the counter did not run all the time.
     fn read(counter: &mut Counter) -> Option<u64> {
         counter.disable().ok()?;
         let read = counter.read_count_and_time().ok()?;

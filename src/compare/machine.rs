@@ -1,4 +1,5 @@
-//! The machine and the build, as far as they tell. Linux tells most; elsewhere fields stay absent.
+//! The machine and the build, as far as the system describes them: Linux names most, elsewhere
+//! fields stay absent.
 
 use std::fs;
 
@@ -23,13 +24,13 @@ pub(super) fn machine() -> Machine {
 
 /// How this program was built; the rest of the run is still to be filled in.
 pub(super) fn build_of_program() -> Run {
-    let told = |value: Option<&str>| value.unwrap_or_default().to_owned();
+    let noted = |value: Option<&str>| value.unwrap_or_default().to_owned();
     Run {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         commit: commit(),
-        compiler: told(option_env!("SRT_COMPILER")),
-        profile: told(option_env!("SRT_PROFILE")),
-        flags: told(option_env!("SRT_FLAGS")),
+        compiler: noted(option_env!("SRT_COMPILER")),
+        profile: noted(option_env!("SRT_PROFILE")),
+        flags: noted(option_env!("SRT_FLAGS")),
         machine: machine(),
         ..Run::default()
     }

@@ -1,16 +1,16 @@
 //! Who watches a comparison, and may stop it.
 
-/// Told of progress between steps.
+/// Receives the progress of a comparison, between its steps.
 pub trait Observer: Sync {
-    /// Work on something begins: a scene and a step of it, in words.
+    /// A step begins: the scene and the step, in words.
     fn begins(&self, what: &str);
-    /// The share of the whole plan that is done, from 0 to 1, by the time it was given.
+    /// The share of the whole plan that is done, from 0 to 1, by the time that it has taken.
     fn advanced(&self, share: f64);
     /// Whether to stop and keep what is done.
     fn cancelled(&self) -> bool;
 }
 
-/// Watches nothing and never stops.
+/// Shows nothing and never stops.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Silent;
 

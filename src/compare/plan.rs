@@ -1,4 +1,4 @@
-//! What is to be compared: plain data, made by whoever asks.
+//! What is to be compared: plain data.
 
 use std::time::Duration;
 
@@ -8,7 +8,9 @@ use crate::record::{RayClass, RoundRule};
 use crate::render::{Sampling, Settings};
 use crate::scene::Scene;
 
-/// A scene, ready to be traced, and what a report calls it.
+use super::picture_size::fit;
+
+/// A scene, ready to be traced, and its name in a report.
 #[derive(Clone, Debug)]
 pub struct SceneInput {
     /// A short name, different from that of every other scene; files are named by it.
@@ -21,7 +23,7 @@ pub struct SceneInput {
     pub scene: Scene,
 }
 
-/// What pictures are rendered with. What is absent is as the scene says, within
+/// How pictures are rendered. What is absent is taken from the scene, within
 /// [`LARGEST_SIDE`](Self::LARGEST_SIDE) and [`LARGEST_AA`](Self::LARGEST_AA).
 #[derive(Clone, Copy, Debug)]
 pub struct PictureOptions {
@@ -53,9 +55,9 @@ impl Default for PictureOptions {
 }
 
 impl PictureOptions {
-    /// The longer side of a picture whose size nobody asked for.
+    /// The longer side of a picture at most, unless a size is given.
     pub const LARGEST_SIDE: u32 = 300;
-    /// Samples along each side of a pixel, if nobody asked for more.
+    /// Samples along each side of a pixel at most, unless a number is given.
     pub const LARGEST_AA: u32 = 2;
 
     /// The settings of a scene's picture.
@@ -74,16 +76,6 @@ impl PictureOptions {
             ..of_scene
         }
     }
-}
-
-/// The size of the same shape whose longer side is at most `largest` pixels.
-pub(super) fn fit(size: [u32; 2], largest: u32) -> [u32; 2] {
-    let longer = size[0].max(size[1]).max(1);
-    if longer <= largest {
-        return size;
-    }
-    let scaled = |side: u32| u64::from(side) * u64::from(largest) / u64::from(longer);
-    size.map(|side| scaled(side).max(1) as u32)
 }
 
 /// A family of generated meshes of growing size.
@@ -110,7 +102,7 @@ impl SweepPlan {
 /// What is to be compared, and how long that may take.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// The command that asked, quoted for a shell.
+    /// The command that started it, quoted for a shell.
     pub command: String,
     /// The scenes.
     pub scenes: Vec<SceneInput>,
@@ -128,9 +120,9 @@ pub struct Plan {
     pub rounds: RoundRule,
     /// The most rays of a class that are recorded.
     pub rays_per_class: usize,
-    /// Growth with the number of triangles, if it is asked for.
+    /// Growth with the number of triangles, if that is to be measured.
     pub sweep: Option<SweepPlan>,
-    /// Whether to study what random numbers and shuffling cost and bring.
+    /// Whether to study what random numbers and shuffling cost, and how much noise they leave.
     pub sampling_study: bool,
 }
 
@@ -139,7 +131,7 @@ impl Plan {
     pub const USUAL_CLASSES: [RayClass; 4] =
         [RayClass::View, RayClass::Shadow, RayClass::Mirror, RayClass::Refraction];
 
-    /// A plan for some scenes; everything else as the command's defaults are.
+    /// A plan for some scenes, with the defaults of the command for everything else.
     #[must_use]
     pub fn of_scenes(scenes: Vec<SceneInput>) -> Self {
         Self {
@@ -163,16 +155,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sweeps_step_evenly_and_end_where_asked() {
+    fn sweeps_step_evenly_up_to_their_last_size() {
         assert_eq!(SweepPlan::sizes_between(1_000, 30_000), [1_000, 3_162, 10_000, 30_000]);
         assert_eq!(SweepPlan::sizes_between(10, 100), [10, 32, 100]);
         assert_eq!(SweepPlan::sizes_between(5, 5), [5]);
-    }
-
-    #[test]
-    fn sizes_keep_their_shape() {
-        assert_eq!(fit([480, 320], 300), [300, 200]);
-        assert_eq!(fit([100, 50], 300), [100, 50]);
-        assert_eq!(fit([65_535, 1], 300), [300, 1]);
     }
 }

@@ -1,4 +1,4 @@
-//! How far the whole plan is, told as parts of it advance.
+//! How much of the whole plan is done, reported as one part of it advances.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, Thread};
@@ -7,17 +7,17 @@ use std::time::Duration;
 use super::budget::Budget;
 use super::observer::Observer;
 
-/// How often an observer hears how far a part is.
+/// How often an observer is informed while a part is under way.
 const EVERY: Duration = Duration::from_millis(100);
 
-/// Tells an observer of one part of the plan: that which lies between two shares of the whole.
-pub(super) struct Progress<'a> {
+/// One part of the plan: that which lies between two shares of the whole.
+pub(super) struct PartProgress<'a> {
     pub(super) observer: &'a dyn Observer,
     pub(super) from: f64,
     pub(super) to: f64,
 }
 
-impl Progress<'_> {
+impl PartProgress<'_> {
     /// Whether to stop.
     pub(super) fn cancelled(&self) -> bool {
         self.observer.cancelled()
@@ -26,25 +26,25 @@ impl Progress<'_> {
     /// A step begins, when so much of the part's time is spent.
     pub(super) fn step(&self, what: &str, budget: Budget) {
         self.observer.begins(what);
-        self.tell(budget);
+        self.report(budget);
     }
 
-    /// Tells how far the part is by the time that it has taken.
-    fn tell(&self, budget: Budget) {
+    /// Reports how much is done by the time that the part has taken.
+    fn report(&self, budget: Budget) {
         self.observer.advanced(self.from + (self.to - self.from) * budget.spent());
     }
 
-    /// Runs the part, and goes on telling meanwhile.
+    /// Runs the part, and reports at intervals meanwhile.
     pub(super) fn watch<T>(&self, budget: Budget, work: impl FnOnce() -> T) -> T {
         let done = AtomicBool::new(false);
         let result = thread::scope(|scope| {
-            let teller = scope.spawn(|| {
+            let reporter = scope.spawn(|| {
                 while !done.load(Ordering::Relaxed) {
                     thread::park_timeout(EVERY);
-                    self.tell(budget);
+                    self.report(budget);
                 }
             });
-            let _end = End { done: &done, teller: teller.thread().clone() };
+            let _end = End { done: &done, reporter: reporter.thread().clone() };
             work()
         });
         self.observer.advanced(self.to);
@@ -52,15 +52,15 @@ impl Progress<'_> {
     }
 }
 
-/// Ends the telling however the part ends: a scope waits for its threads even in a panic.
+/// Ends the reports however the part ends: a scope waits for its threads even in a panic.
 struct End<'a> {
     done: &'a AtomicBool,
-    teller: Thread,
+    reporter: Thread,
 }
 
 impl Drop for End<'_> {
     fn drop(&mut self) {
         self.done.store(true, Ordering::Relaxed);
-        self.teller.unpark();
+        self.reporter.unpark();
     }
 }

@@ -1,181 +1,180 @@
-//! That all structures do the same work: equal hits and equal pictures, bit for bit.
+//! Whether structures do the same work: equal hits and equal pictures, bit for bit.
 
 use std::fmt::Write;
 use std::time::Duration;
 
 use crate::accel::Tracer;
 use crate::image_io::{Picture, compare};
-use crate::math::{Hit, Ray};
+use crate::math::Ray;
 use crate::record::StructureProof;
 
-use super::entrant::{Answers, Entrant, trace};
-use super::hash::picture_hash;
-use super::record_rays::{Query, RaySet, spread};
+use super::candidate::Candidate;
+use super::picture_file::picture_hash;
+use super::record_rays::{RaySet, spread};
+use super::trace::{RayResult, RayResults, trace};
+use super::trial::{RayTimes, affordable};
 
 /// What comparing a class may always take for each structure, even if the budget is spent: quick
 /// structures are never measured without it.
-pub(super) const LEAST_SHARE: Duration = Duration::from_millis(2);
+const LEAST_TIME: Duration = Duration::from_millis(2);
 
-/// What the reference says to the rays of a class.
+/// The share of the budget that comparing hits may take.
+const SHARE: f64 = 0.1;
+
+/// How long comparing a class may take for each structure, with so much time left. The reference
+/// takes as long as all others together.
+pub(super) fn time_for_class(left: Duration, candidates: usize, classes: usize) -> Duration {
+    left.mul_f64(SHARE / (2.0 * candidates as f64) / classes.max(1) as f64).max(LEAST_TIME)
+}
+
+/// The reference's results for the rays of a class.
 pub(super) struct Expected<'a> {
     pub(super) set: &'a RaySet,
     rays: Vec<Ray>,
-    pub(super) answers: Answers,
+    pub(super) results: RayResults,
 }
 
 impl Expected<'_> {
-    /// Whether the reference answered all recorded rays of the class.
+    /// Whether the reference traced all recorded rays of the class.
     pub(super) fn is_whole(&self) -> bool {
         self.rays.len() == self.set.rays.len()
     }
 
-    /// As many of the rays as `share` has time for, evenly spread, and their places.
-    pub(super) fn asked(&self, time: Option<Duration>, share: Duration) -> (Vec<usize>, Vec<Ray>) {
-        let count = affordable(time, share).min(self.rays.len());
+    /// As many of the rays as fit into `time` at `ray_time` each, evenly spread, and their places.
+    pub(super) fn sample(
+        &self,
+        ray_time: Option<Duration>,
+        time: Duration,
+    ) -> (Vec<usize>, Vec<Ray>) {
+        let count = affordable(ray_time, time).min(self.rays.len());
         let places: Vec<usize> = (0..count).map(|i| i * self.rays.len() / count).collect();
         let rays = places.iter().map(|&place| self.rays[place]).collect();
         (places, rays)
     }
 }
 
-/// The reference's answers to as many rays of each class as `share` has time for.
+/// The reference's results for as many rays of each class as fit into `time`.
 pub(super) fn expected<'a>(
-    reference: &mut Entrant<'_>,
+    reference: &mut Candidate<'_>,
     sets: &'a [RaySet],
-    ray_times: &[Option<Duration>],
-    share: Duration,
+    ray_times: &RayTimes,
+    time: Duration,
 ) -> Vec<Expected<'a>> {
     let mut all = Vec::new();
-    for (set, time) in sets.iter().zip(ray_times) {
-        let rays = spread(&set.rays, affordable(*time, share));
-        let mut answers = Answers::default();
-        if reference.attempt(|tracer| trace(tracer, set.query, &rays, &mut answers, None)).is_some()
-        {
-            all.push(Expected { set, rays, answers });
+    for (set, ray_time) in sets.iter().zip(ray_times) {
+        let rays = spread(&set.rays, affordable(*ray_time, time));
+        let mut results = set.results();
+        if reference.attempt(|tracer| trace(tracer, &rays, &mut results, None)).is_some() {
+            all.push(Expected { set, rays, results });
         }
     }
     all
 }
 
-fn affordable(time: Option<Duration>, share: Duration) -> usize {
-    time.map_or(0, |time| (share.as_secs_f64() / time.as_secs_f64().max(1e-12)) as usize)
-}
-
-/// Compares a structure's answers with those that are expected, on as many rays of each class as
-/// `share` has time for.
+/// Compares a structure's results with those that are expected, on as many rays of each class as
+/// fit into `time`. A structure whose results differ has failed.
 pub(super) fn check_rays(
-    entrant: &mut Entrant<'_>,
+    candidate: &mut Candidate<'_>,
     expected: &[Expected<'_>],
-    ray_times: &[Option<Duration>],
-    share: Duration,
-    proof: &mut StructureProof,
-) {
-    for (class, time) in expected.iter().zip(ray_times) {
-        let (places, rays) = class.asked(*time, share);
-        let mut answers = Answers::default();
-        let query = class.set.query;
-        let traced = entrant.attempt(|tracer| {
-            trace(tracer, query, &rays, &mut answers, None);
-            let differs = |&i: &usize| !class.answers.same(places[i], &answers, i, query);
-            let differing: Vec<usize> = (0..rays.len()).filter(differs).collect();
-            let text = differing.first().map(|&first| {
-                let expected = class.answers.at(places[first], query);
-                let class = class.set.class.name();
-                describe(class, &smallest(tracer, query, rays[first], &expected), tracer, &expected)
-            });
-            (differing.len() as u64, text)
+    ray_times: &RayTimes,
+    time: Duration,
+) -> StructureProof {
+    let mut proof =
+        StructureProof { structure: candidate.name().to_owned(), ..StructureProof::default() };
+    for (class, ray_time) in expected.iter().zip(ray_times) {
+        let Some(checked) = check_class(candidate, class, *ray_time, time) else { break };
+        proof.rays_checked += checked.rays;
+        proof.differing_hits += checked.differing;
+        proof.first_difference = proof.first_difference.take().or(checked.first_difference);
+    }
+    if let Some(text) = &proof.first_difference {
+        candidate.fail(format!("its results differ: {text}"));
+    }
+    proof
+}
+
+/// What comparing a class showed.
+struct CheckedClass {
+    rays: u64,
+    differing: u64,
+    first_difference: Option<String>,
+}
+
+/// Compares a structure's results for a class; `None` if it fails.
+fn check_class(
+    candidate: &mut Candidate<'_>,
+    class: &Expected<'_>,
+    ray_time: Option<Duration>,
+    time: Duration,
+) -> Option<CheckedClass> {
+    let (places, rays) = class.sample(ray_time, time);
+    let set = class.set;
+    candidate.attempt(|tracer| {
+        let mut results = set.results();
+        trace(tracer, &rays, &mut results, None);
+        let differs = |&i: &usize| !class.results.get(places[i]).same_bits(&results.get(i));
+        let differing: Vec<usize> = (0..rays.len()).filter(differs).collect();
+        let first_difference = differing.first().map(|&first| {
+            let expected = class.results.get(places[first]);
+            let ray = smallest(tracer, set, rays[first], &expected);
+            describe(tracer, set, &ray, &expected)
         });
-        let Some((differing, text)) = traced else { return };
-        proof.rays_checked += rays.len() as u64;
-        proof.differing_hits += differing;
-        proof.first_difference = proof.first_difference.take().or(text);
-    }
-}
-
-/// One answer.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Answer {
-    Hit(Hit),
-    Blocked(bool),
-}
-
-impl Answers {
-    pub(super) fn at(&self, place: usize, query: Query) -> Answer {
-        match query {
-            Query::Closest => Answer::Hit(self.hits[place]),
-            Query::Any => Answer::Blocked(self.blocked[place]),
+        CheckedClass {
+            rays: rays.len() as u64,
+            differing: differing.len() as u64,
+            first_difference,
         }
-    }
-
-    fn same(&self, place: usize, other: &Self, other_place: usize, query: Query) -> bool {
-        self.at(place, query).same_bits(&other.at(other_place, query))
-    }
+    })
 }
 
-impl Answer {
-    fn same_bits(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Hit(a), Self::Hit(b)) => a.same_bits(b),
-            (a, b) => a == b,
-        }
-    }
-
-    fn text(&self) -> String {
-        match self {
-            Self::Hit(hit) if hit.is_hit() => {
-                let Hit { t, object, prim, u, v } = hit;
-                format!("t {t:?}, object {object}, primitive {prim}, u {u:?}, v {v:?}")
-            }
-            Self::Hit(_) => "nothing".to_owned(),
-            Self::Blocked(true) => "blocked".to_owned(),
-            Self::Blocked(false) => "not blocked".to_owned(),
-        }
-    }
-}
-
-/// The ray, cut to the piece around the hit that is expected if the answer is still another one:
+/// The ray, cut to the piece around the hit that is expected if its result still differs from that:
 /// fewer primitives are left that could be to blame.
-fn smallest(tracer: &dyn Tracer, query: Query, ray: Ray, expected: &Answer) -> Ray {
-    let Answer::Hit(hit) = expected else { return ray };
+fn smallest(tracer: &dyn Tracer, set: &RaySet, ray: Ray, expected: &RayResult) -> Ray {
+    let RayResult::ClosestHit(hit) = expected else { return ray };
     if !hit.is_hit() {
         return ray;
     }
     let mut found = ray;
     for shorter in [Ray { t_max: hit.t, ..ray }, Ray { t_min: hit.t, t_max: hit.t, ..ray }] {
-        if !answer(tracer, query, &shorter).same_bits(expected) {
+        if !result_of(tracer, set, &shorter).same_bits(expected) {
             found = shorter;
         }
     }
     found
 }
 
-fn answer(tracer: &dyn Tracer, query: Query, ray: &Ray) -> Answer {
-    let mut answers = Answers::default();
-    trace(tracer, query, std::slice::from_ref(ray), &mut answers, None);
-    answers.at(0, query)
+/// The result of one ray, by the query of its class.
+fn result_of(tracer: &dyn Tracer, set: &RaySet, ray: &Ray) -> RayResult {
+    let mut results = set.results();
+    trace(tracer, std::slice::from_ref(ray), &mut results, None);
+    results.get(0)
 }
 
-/// A ray in full precision (what is printed reads back as the same bits), and both answers.
-fn describe(class: &str, ray: &Ray, tracer: &dyn Tracer, expected: &Answer) -> String {
-    let query = match expected {
-        Answer::Hit(_) => Query::Closest,
-        Answer::Blocked(_) => Query::Any,
-    };
+/// A ray in full precision (what is printed reads back as the same bits), and both results.
+fn describe(tracer: &dyn Tracer, set: &RaySet, ray: &Ray, expected: &RayResult) -> String {
     let Ray { origin: o, dir: d, t_min, t_max } = ray;
-    let mut text = format!("{class} ray: origin {:?} {:?} {:?}, ", o.x, o.y, o.z);
+    let mut text = format!("{} ray: origin {:?} {:?} {:?}, ", set.class.name(), o.x, o.y, o.z);
     // Writing to a string cannot fail.
     let _ =
         write!(text, "direction {:?} {:?} {:?}, t from {t_min:?} to {t_max:?}; ", d.x, d.y, d.z);
-    let got = answer(tracer, query, ray);
-    let _ = write!(text, "expected {}, got {}", expected.text(), got.text());
+    let result = result_of(tracer, set, ray);
+    let _ = write!(text, "expected {expected}, got {result}");
     text
 }
 
-/// Compares a structure's picture with the reference's.
-pub(super) fn check_picture(expected: &Picture, own: &Picture, proof: &mut StructureProof) {
+/// Compares a structure's picture with the reference's. A structure whose picture differs has failed.
+pub(super) fn check_picture(
+    candidate: &mut Candidate<'_>,
+    expected: &Picture,
+    own: &Picture,
+    proof: &mut StructureProof,
+) {
     proof.picture_hash = Some(picture_hash(own));
     let Ok(difference) = compare(expected, own) else { return };
     proof.picture_equal = Some(difference.differing == 0);
     proof.differing_pixels = difference.differing;
     proof.largest_difference = f64::from(difference.largest.min(f32::MAX));
+    if difference.differing > 0 {
+        candidate.fail(format!("its picture differs in {} pixels", difference.differing));
+    }
 }

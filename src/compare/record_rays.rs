@@ -1,41 +1,65 @@
-//! The same rays for all: each class's rays of a scene, recorded once from a small rendering.
+//! The same rays for all structures: those of each class that a small rendering sends, recorded once.
 //!
-//! Who traces during the recording does not matter: all structures give the same hits, so the
-//! same rays follow. The rendering runs on one thread, so that rays stand in the order in which a
+//! Which structure traces during the recording does not matter: all give the same hits, so the same
+//! rays follow. The rendering runs on one thread, so that rays stand in the order in which a
 //! renderer's thread sends them, and are the same in every run.
 
 use std::sync::Mutex;
 use std::sync::PoisonError;
 
-use crate::accel::Tracer;
+use crate::accel::{BuildConfig, Bvh, Tracer};
 use crate::math::Ray;
 use crate::record::RayClass;
-use crate::render::{self, Settings, render};
-use crate::scene::Scene;
+use crate::render::{self, RenderStats, Settings, render};
+use crate::scene::{Scene, Structure, TracedWorld};
 
-use super::plan::fit;
+use super::context::SceneContext;
+use super::picture_size::fit_pixels;
 
-/// View samples of the rendering that tells how many rays follow from each.
-const PROBE_SAMPLES: u32 = 2_000;
+/// View samples of the small rendering that shows how many rays follow from each.
+const TRIAL_SAMPLES: u32 = 2_000;
 
 /// View samples of the recording, if few rays follow from each.
 const MOST_SAMPLES: u32 = 60_000;
 
-/// What is asked of a ray.
+/// The structure that traces during a recording.
+const RECORDING_STRUCTURE: Structure = Structure::new::<Bvh, Bvh>("bvh", "obvhs's binary tree");
+
+/// What is to be found out about a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Query {
     /// The closest hit.
     Closest,
-    /// Whether there is any.
+    /// Whether there is any hit.
     Any,
 }
 
 /// The rays of a class.
 #[derive(Clone, Debug)]
-pub(super) struct RaySet {
-    pub(super) class: RayClass,
+pub struct RaySet {
+    /// The class.
+    pub class: RayClass,
+    /// The rays, in the order in which a renderer sends them.
+    pub rays: Vec<Ray>,
     pub(super) query: Query,
-    pub(super) rays: Vec<Ray>,
+}
+
+impl RaySet {
+    /// Rays whose query is the closest hit.
+    pub(super) fn closest_hit(class: RayClass, rays: Vec<Ray>) -> Self {
+        Self { class, rays, query: Query::Closest }
+    }
+
+    /// Rays whose query is whether they hit anything.
+    pub(super) fn any_hit(class: RayClass, rays: Vec<Ray>) -> Self {
+        Self { class, rays, query: Query::Any }
+    }
+
+    /// At most `count` of its rays, evenly spread.
+    #[must_use]
+    pub fn spread(&self, count: usize) -> Self {
+        Self { rays: spread(&self.rays, count), ..*self }
+    }
 }
 
 /// The rays of a scene.
@@ -47,52 +71,50 @@ pub(super) struct Recording {
     pub(super) per_sample: Vec<(RayClass, f64)>,
 }
 
-impl Recording {
-    /// Rays of a class for each view sample; 0 for those that a renderer does not send.
-    pub(super) fn rays_per_sample(&self, class: RayClass) -> f64 {
-        self.per_sample.iter().find(|(other, _)| *other == class).map_or(0.0, |(_, rays)| *rays)
-    }
+/// The structure that traces during a recording, built on all threads.
+pub(super) fn recording_tracer(context: &SceneContext<'_>) -> Box<dyn TracedWorld> {
+    let build = || RECORDING_STRUCTURE.build(context.scene, &BuildConfig::default());
+    context.pools.all.install(build)
 }
 
-/// How much is recorded.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Limits {
-    /// Rays of a class.
-    pub(super) per_class: usize,
-    /// Rays that the recording may trace in all.
-    pub(super) traced: u64,
-}
-
-/// Records the rays that a renderer sends for a picture. On the threads of the current rayon pool,
-/// which should be one.
+/// Records the rays that a renderer sends for a picture, on one thread. Tracing them all takes at most
+/// `traced` rays.
 pub(super) fn record(
-    scene: &Scene,
+    context: &SceneContext<'_>,
     tracer: &dyn Tracer,
     picture: &Settings,
-    limits: Limits,
-    cancelled: &(dyn Fn() -> bool + Sync),
+    traced: u64,
 ) -> Recording {
-    let probe = Recorder::new(limits.per_class, cancelled);
-    let sent = render(scene, tracer, &small(picture, PROBE_SAMPLES), &probe).stats.total_rays();
-    let per_sample = (sent / u64::from(PROBE_SAMPLES)).max(1);
-    let affordable = u32::try_from(limits.traced / per_sample).unwrap_or(u32::MAX);
-    let settings = small(picture, affordable.clamp(PROBE_SAMPLES, MOST_SAMPLES));
-    let recorder = Recorder::new(limits.per_class, cancelled);
-    let stats = render(scene, tracer, &settings, &recorder).stats;
-    let samples = f64::from(settings.width * settings.height * settings.samples_per_pixel());
-    let rate = |class| stats.class(class).rays as f64 / samples;
-    Recording {
-        sets: recorder.sets(scene),
-        per_sample: RayClass::RENDERED.map(|class| (class, rate(class))).into(),
-    }
+    context.pools.one.install(|| {
+        let trial = render_recorded(context, tracer, &small(picture, TRIAL_SAMPLES)).1;
+        let per_sample = (trial.total_rays() / u64::from(TRIAL_SAMPLES)).max(1);
+        let affordable = u32::try_from(traced / per_sample).unwrap_or(u32::MAX);
+        let settings = small(picture, affordable.clamp(TRIAL_SAMPLES, MOST_SAMPLES));
+        let (recorder, stats) = render_recorded(context, tracer, &settings);
+        let samples = f64::from(settings.width * settings.height * settings.samples_per_pixel());
+        let rate = |class| stats.class(class).rays as f64 / samples;
+        Recording {
+            sets: recorder.sets(context.scene),
+            per_sample: RayClass::RENDERED.map(|class| (class, rate(class))).into(),
+        }
+    })
+}
+
+/// Renders, and records the rays on the way.
+fn render_recorded<'a>(
+    context: &SceneContext<'a>,
+    tracer: &dyn Tracer,
+    settings: &Settings,
+) -> (Recorder<'a>, RenderStats) {
+    let recorder = Recorder::new(context.plan.rays_per_class, context.cancelled);
+    let stats = render(context.scene, tracer, settings, &recorder).stats;
+    (recorder, stats)
 }
 
 /// The picture, so small that it takes about as many view samples.
 fn small(picture: &Settings, samples: u32) -> Settings {
     let pixels = f64::from(samples / picture.samples_per_pixel()).max(1.0);
-    let (width, height) = (f64::from(picture.width), f64::from(picture.height));
-    let side = (pixels / (width * height)).sqrt() * width.max(height);
-    let [width, height] = fit([picture.width, picture.height], (side as u32).max(1));
+    let [width, height] = fit_pixels([picture.width, picture.height], pixels);
     Settings { width, height, crop: None, ..picture.clone() }
 }
 
@@ -109,12 +131,11 @@ impl<'a> Recorder<'a> {
 
     fn sets(self, scene: &Scene) -> Vec<RaySet> {
         // Through transparent objects the renderer follows shadow rays from hit to hit.
-        let shadow = if scene.has_transparency() { Query::Closest } else { Query::Any };
+        let opaque = !scene.has_transparency();
         let kept = self.kept.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let set = |(class, thinned): (RayClass, Thinned)| RaySet {
-            class,
-            query: if class == RayClass::Shadow { shadow } else { Query::Closest },
-            rays: thinned.rays,
+        let set = |(class, thinned): (RayClass, Thinned)| match class {
+            RayClass::Shadow if opaque => RaySet::any_hit(class, thinned.rays),
+            _ => RaySet::closest_hit(class, thinned.rays),
         };
         let sets = RayClass::RENDERED.into_iter().zip(kept).map(set);
         sets.filter(|set| !set.rays.is_empty()).collect()
@@ -134,8 +155,8 @@ impl render::Observer for Recorder<'_> {
     }
 }
 
-/// At most so many rays, evenly spread over all that come: every second is dropped, and from then
-/// on skipped, whenever there are too many.
+/// At most so many rays, evenly spread over all that are recorded: whenever there are too many, every
+/// second one is dropped, and from then on skipped.
 #[derive(Debug)]
 struct Thinned {
     rays: Vec<Ray>,
@@ -194,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn a_spread_has_as_many_as_asked() {
+    fn a_spread_has_as_many_rays_as_requested() {
         let origins =
             |count| spread(&rays(9), count).iter().map(|r| r.origin.x).collect::<Vec<_>>();
         assert_eq!(origins(3), [0.0, 3.0, 6.0]);

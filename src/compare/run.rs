@@ -3,50 +3,52 @@
 use std::collections::HashSet;
 use std::time::Instant;
 
-use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use rayon::ThreadPoolBuildError;
 use thiserror::Error;
 
 use crate::image_io::Picture;
 use crate::record::{Comparison, Options, Proof, Run, SceneRecord, Status, StructureRecord};
 use crate::scene::Structure;
 
-use super::Pools;
 use super::budget::Budget;
+use super::context::base_name;
 use super::machine::build_of_program;
 use super::observer::Observer;
 use super::plan::Plan;
-use super::progress::Progress;
+use super::pools::Pools;
+use super::progress::PartProgress;
 use super::sampling_study::sampling_study;
-use super::scene::{base_name, compare_scene};
+use super::scene::compare_scene;
 use super::sweep::sweep;
 
-/// What came of a plan.
+/// What was measured.
 #[derive(Clone, Debug)]
-pub struct Outcome {
+pub struct ComparisonResult {
     /// The record.
     pub comparison: Comparison,
     /// The pictures that the record names, by the names of their files.
     pub pictures: Vec<(String, Picture)>,
 }
 
-impl Outcome {
+impl ComparisonResult {
     /// Whether no structure failed: all gave the same hits and pictures wherever that was checked,
-    /// and enough of a yardstick's agreed. (One that does not know the scene's shapes is no failure.)
+    /// and enough of a peer's results agreed. A peer that cannot trace the scene's shapes is no
+    /// failure.
     #[must_use]
     pub fn holds(&self) -> bool {
-        let scenes = &self.comparison.scenes;
-        let asked = |scene: &SceneRecord, row: &StructureRecord| {
-            let traced = scene.proof.as_ref().and_then(|proof| proof.peer(&row.name));
-            !row.peer || traced.is_some()
-        };
-        let failed = |row: &StructureRecord| matches!(row.status, Status::Failed { .. });
-        let mut dropped = self.comparison.sweeps.iter().flat_map(|sweep| &sweep.dropped);
+        let Comparison { scenes, sweeps, .. } = &self.comparison;
+        let mut dropped = sweeps.iter().flat_map(|sweep| &sweep.dropped);
         scenes.iter().filter_map(|scene| scene.proof.as_ref()).all(Proof::holds)
             && !dropped.any(|structure| structure.failed)
-            && !scenes
-                .iter()
-                .any(|scene| scene.structures.iter().any(|row| failed(row) && asked(scene, row)))
+            && !scenes.iter().any(|scene| scene.structures.iter().any(|row| failed(scene, row)))
     }
+}
+
+/// Whether a structure failed in a scene. Of a peer only that counts which it did after its first
+/// rays.
+fn failed(scene: &SceneRecord, row: &StructureRecord) -> bool {
+    let traced = scene.proof.as_ref().and_then(|proof| proof.peer(&row.name));
+    matches!(row.status, Status::Failed { .. }) && (!row.peer || traced.is_some())
 }
 
 /// Why a plan cannot be begun.
@@ -55,27 +57,27 @@ pub enum CompareError {
     /// There is nothing to compare.
     #[error("no structure was named")]
     NoStructure,
-    /// Rows are told apart by name.
+    /// Rows are distinguished by their names.
     #[error("`{name}` was named twice")]
     Twice {
         /// The name of two structures or two scenes.
         name: String,
     },
-    /// The system gives no threads.
+    /// The system starts no threads.
     #[error("cannot start {threads} threads: {source}")]
     Threads {
-        /// How many were asked for.
+        /// How many were to start.
         threads: usize,
-        /// Why not.
+        /// Why they did not.
         source: ThreadPoolBuildError,
     },
 }
 
-/// Compares structures as a plan says. Ratios are taken to `none` if it is among them, else to the
+/// Compares structures by a plan. Ratios are taken to `none` if it is among them, else to the
 /// first.
 ///
 /// When the observer cancels, what is done until then is returned, marked as partial. A structure
-/// that panics or is too slow is a row that says so.
+/// that panics or is too slow gets a row with the reason.
 ///
 /// # Errors
 /// Before any work: without structures, with two of a name, or if threads cannot be started.
@@ -83,71 +85,95 @@ pub fn run(
     plan: &Plan,
     structures: &[Structure],
     observer: &dyn Observer,
-) -> Result<Outcome, CompareError> {
-    if structures.is_empty() {
-        return Err(CompareError::NoStructure);
-    }
-    refuse_twins(structures.iter().map(|structure| structure.name))?;
-    refuse_twins(plan.scenes.iter().map(|scene| scene.name.as_str()))?;
-    let pools = Pools { one: pool(1)?, all: pool(plan.threads)? };
+) -> Result<ComparisonResult, CompareError> {
+    check_names(plan, structures)?;
+    let pools = Pools::start(plan.threads)
+        .map_err(|(threads, source)| CompareError::Threads { threads, source })?;
     let start = Instant::now();
     let mut comparison = Comparison::new(describe(plan), base_name(structures));
     let mut pictures = Vec::new();
-    let budget = Budget::from_now(plan.budget);
-    let parts =
-        plan.scenes.len() + usize::from(plan.sweep.is_some()) + usize::from(plan.sampling_study);
-    for (done, input) in plan.scenes.iter().enumerate() {
-        if observer.cancelled() {
-            break;
-        }
-        let from = done as f64 / parts as f64;
-        let to = (done + 1) as f64 / parts as f64;
-        let progress = Progress { observer, from, to };
-        let share = scene_budget(plan, budget, parts, parts - done);
-        let outcome = progress
-            .watch(share, || compare_scene(input, structures, plan, &pools, share, &progress));
-        comparison.scenes.push(outcome.record);
-        comparison.notes.extend(outcome.notes);
-        pictures.extend(outcome.pictures);
+    let mut parts = Parts::new(plan, observer);
+    for input in &plan.scenes {
+        let result = parts.next(|budget, progress| {
+            compare_scene(input, structures, plan, &pools, budget, progress)
+        });
+        let Some(result) = result else { break };
+        comparison.scenes.push(result.record);
+        comparison.notes.extend(result.notes);
+        pictures.extend(result.pictures);
     }
-    if let Some(growth) = plan.sweep.as_ref().filter(|_| !observer.cancelled()) {
-        let done = plan.scenes.len();
-        let from = done as f64 / parts as f64;
-        let to = (done + 1) as f64 / parts as f64;
-        let progress = Progress { observer, from, to };
-        let share = scene_budget(plan, budget, parts, parts - done);
-        let work = || sweep(growth, structures, plan, &pools, share, &progress);
-        comparison.sweeps.push(progress.watch(share, work));
+    if let Some(growth) = &plan.sweep {
+        comparison
+            .sweeps
+            .extend(parts.next(|budget, progress| {
+                sweep(growth, structures, plan, &pools, budget, progress)
+            }));
     }
-    if plan.sampling_study && !observer.cancelled() {
-        let progress = Progress { observer, from: (parts - 1) as f64 / parts as f64, to: 1.0 };
-        let share = scene_budget(plan, budget, parts, 1);
-        let work = || sampling_study(plan, &pools, share, &progress);
-        let study = progress.watch(share, work);
+    if plan.sampling_study
+        && let Some(study) =
+            parts.next(|budget, progress| sampling_study(plan, &pools, budget, progress))
+    {
         comparison.sampling = Some(study.chapter);
         comparison.notes.extend(study.notes);
     }
     comparison.run.partial = observer.cancelled();
     comparison.run.elapsed_seconds = start.elapsed().as_secs_f64();
     comparison.notes.extend(general_notes());
-    Ok(Outcome { comparison, pictures })
+    Ok(ComparisonResult { comparison, pictures })
 }
 
-/// An even share of what is left for each of the scenes that are left, but never less than half of
-/// an even share of the whole: a scene that took too long takes nothing beyond that from others.
-fn scene_budget(plan: &Plan, budget: Budget, parts: usize, left: usize) -> Budget {
-    let Some(whole) = plan.budget else { return Budget::from_now(None) };
-    let share = budget.left().div_f64(left.max(1) as f64);
-    let floor = whole.div_f64(2.0 * parts.max(1) as f64);
-    Budget::from_now(Some(share.max(floor)))
+/// The parts of a plan, one after the other: its scenes, the sweep, the study of sampling.
+struct Parts<'a> {
+    plan: &'a Plan,
+    observer: &'a dyn Observer,
+    budget: Budget,
+    count: usize,
+    done: usize,
 }
 
-fn pool(threads: usize) -> Result<ThreadPool, CompareError> {
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-    pool.map_err(|source| CompareError::Threads { threads, source })
+impl<'a> Parts<'a> {
+    /// None is done; the time of the plan begins.
+    fn new(plan: &'a Plan, observer: &'a dyn Observer) -> Self {
+        let others = usize::from(plan.sweep.is_some()) + usize::from(plan.sampling_study);
+        let budget = Budget::from_now(plan.budget);
+        Self { plan, observer, budget, count: plan.scenes.len() + others, done: 0 }
+    }
+
+    /// Does the next part; `None` if the comparison is cancelled before it.
+    fn next<T>(&mut self, work: impl FnOnce(Budget, &PartProgress<'_>) -> T) -> Option<T> {
+        if self.observer.cancelled() {
+            return None;
+        }
+        let share_of_plan = |parts: usize| parts as f64 / self.count as f64;
+        let (from, to) = (share_of_plan(self.done), share_of_plan(self.done + 1));
+        let progress = PartProgress { observer: self.observer, from, to };
+        let budget = self.budget_of_part();
+        self.done += 1;
+        Some(progress.watch(budget, || work(budget, &progress)))
+    }
+
+    /// An even share of what is left for each of the parts that are left, but never less than half
+    /// of an even share of the whole: a part that took too long takes nothing beyond that from
+    /// others.
+    fn budget_of_part(&self) -> Budget {
+        let Some(whole) = self.plan.budget else { return Budget::from_now(None) };
+        let left = self.count - self.done;
+        let share = self.budget.left().div_f64(left.max(1) as f64);
+        let floor = whole.div_f64(2.0 * self.count.max(1) as f64);
+        Budget::from_now(Some(share.max(floor)))
+    }
 }
 
-fn refuse_twins<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), CompareError> {
+/// There must be a structure, and no two structures or scenes of one name.
+fn check_names(plan: &Plan, structures: &[Structure]) -> Result<(), CompareError> {
+    if structures.is_empty() {
+        return Err(CompareError::NoStructure);
+    }
+    check_unique(structures.iter().map(|structure| structure.name))?;
+    check_unique(plan.scenes.iter().map(|scene| scene.name.as_str()))
+}
+
+fn check_unique<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), CompareError> {
     let mut seen = HashSet::new();
     for name in names {
         if !seen.insert(name) {
@@ -157,7 +183,7 @@ fn refuse_twins<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), CompareE
     Ok(())
 }
 
-/// What the record says of the run before it is done.
+/// The record of the run before it is done.
 fn describe(plan: &Plan) -> Run {
     Run {
         command: plan.command.clone(),
@@ -184,10 +210,9 @@ fn general_notes() -> Vec<String> {
         "Rays were replayed on one thread, in calls of 1024 as a renderer's waves send them."
             .into(),
         "A structure that had no time for all recorded rays of a class traced as many as its row \
-         says, evenly spread over them. Its ratio to the base is that of the rays that both \
-         traced, in every round; its nanoseconds per ray are those of its own rays, which lie \
-         further apart than all of them, and carry the uncertainty of the choice beside that of \
-         the rounds."
+         shows, evenly spread over them. Its ratio to the base is that of the rays that both \
+         traced, in every round. Its ns/ray comes from its own, sparser sample, so it also \
+         carries sampling error."
             .into(),
     ]
 }

@@ -1,7 +1,8 @@
-//! What the program's sources are told apart by.
+//! The fingerprint of the program's sources.
 //!
 //! `build.rs` compiles this file too and notes the fingerprint of what it builds, so that a
-//! program can tell later whether the sources beside it are its own. Knows nothing of the crate.
+//! program can find out later whether the sources beside it are its own. Knows nothing of the
+//! crate.
 
 use std::fmt::Write;
 use std::fs;
@@ -22,10 +23,15 @@ pub(super) fn fingerprint(root: &Path) -> io::Result<String> {
     for source in SOURCES {
         add(root, Path::new(source), &mut hash)?;
     }
-    Ok(hash.finalize().iter().fold(String::new(), |mut text, byte| {
+    Ok(hexadecimal(&hash.finalize()))
+}
+
+/// Bytes as hexadecimal digits.
+pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
         let _ = write!(text, "{byte:02x}"); // writing to a string cannot fail
         text
-    }))
+    })
 }
 
 /// Adds a file, or all files of a folder in the order of their names.
@@ -39,7 +45,7 @@ fn add(root: &Path, path: &Path, hash: &mut Sha256) -> io::Result<()> {
     }
     let bytes = fs::read(place)?;
     let name = path.to_string_lossy();
-    // The lengths keep a name and its content from running into each other.
+    // The lengths separate a name from its content.
     for part in [name.as_bytes(), &bytes] {
         hash.update((part.len() as u64).to_le_bytes());
         hash.update(part);

@@ -1,38 +1,41 @@
 //! How cost grows with the number of triangles: a family of generated meshes, built and traced.
 //!
-//! A structure leaves at the size at which not even a few rays of a class fit into its share of
-//! the time, and the record says so: linear ones leave first. Slopes are computed from the record.
+//! A structure is dropped at the size at which not even a few rays of a class fit into its share of
+//! the time, and the record notes that: linear ones are dropped first. Slopes are computed from the
+//! record.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use glam::{DAffine3, DVec3};
 
-use crate::accel::BuildConfig;
 use crate::assets::generate::{MeshKind, generate};
 use crate::description::{
     Camera, Light, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape,
 };
 use crate::math::Color;
-use crate::record::{Dropped, Status, StructureProof, Sweep, SweepPoint};
+use crate::record::{Dropped, Status, Sweep, SweepPoint};
 use crate::render::Settings;
-use crate::scene::{Scene, SceneError, Structure, structure_named};
+use crate::scene::{Scene, SceneError, Structure};
 
 use super::budget::Budget;
+use super::candidate::Candidate;
 use super::clock::nanoseconds;
-use super::entrant::Entrant;
+use super::context::{SceneContext, base_name};
 use super::plan::{Plan, SweepPlan};
-use super::progress::Progress;
-use super::record_rays::{Limits, RaySet, record};
-use super::replay::{probe_all, replay, time_of_all};
-use super::scene::{Stage, base_name};
-use super::{Pools, proof};
+use super::pools::Pools;
+use super::progress::PartProgress;
+use super::proof;
+use super::record_rays::{RaySet, record, recording_tracer};
+use super::replay::replay_all;
+use super::trial::{RayTimes, ray_times, time_of_all};
 
 /// Side of the picture whose rays are recorded.
 const SIDE: u32 = 200;
 
-/// Comparing hits takes about this share of a size's time.
-const SHARE_OF_PROOF: f64 = 0.1;
+/// Rays that the recording may trace for each second of a size's budget, and its limits.
+const TRACED_PER_SECOND: f64 = 50_000.0;
+const LEAST_TRACED: f64 = 5e4;
+const MOST_TRACED: f64 = 1e6;
 
 /// Builds and traces all sizes.
 pub(super) fn sweep(
@@ -41,7 +44,7 @@ pub(super) fn sweep(
     plan: &Plan,
     pools: &Pools,
     budget: Budget,
-    progress: &Progress<'_>,
+    progress: &PartProgress<'_>,
 ) -> Sweep {
     let mut record = Sweep { mesh: sweep.mesh.name().to_owned(), ..Sweep::default() };
     let mut left: Vec<&Structure> = structures.iter().collect();
@@ -55,12 +58,12 @@ pub(super) fn sweep(
         };
         let cancelled = || progress.cancelled();
         let base = base_name(structures);
-        let stage = Stage { scene: &scene, plan, pools, base, cancelled: &cancelled };
+        let context = SceneContext { scene: &scene, plan, pools, base, cancelled: &cancelled };
         let share = budget.share(share_of_first(&sweep.sizes[done..]));
-        let entrants = measure(&left, &stage, share, &mut record.rays_checked);
+        let candidates = measure(&context, &left, share, &mut record.rays_checked);
         let triangles = scene.triangle_count();
         left.retain(|structure| {
-            let own = entrants.iter().find(|entrant| entrant.structure.name == structure.name);
+            let own = candidates.iter().find(|candidate| candidate.name() == structure.name);
             own.is_none_or(|own| note(&mut record, own, triangles))
         });
     }
@@ -77,83 +80,63 @@ fn share_of_first(sizes: &[u32]) -> f64 {
 
 /// One size, traced by the structures that are left.
 fn measure<'a>(
+    context: &SceneContext<'_>,
     left: &[&'a Structure],
-    stage: &Stage<'_>,
     budget: Budget,
     rays_checked: &mut u64,
-) -> Vec<Entrant<'a>> {
-    let sets = rays(stage, budget);
-    let mut entrants: Vec<Entrant<'_>> = left.iter().map(|&s| Entrant::new(s)).collect();
-    for entrant in &mut entrants {
-        stage.pools.all.install(|| entrant.build(stage.scene, &stage.plan.build));
+) -> Vec<Candidate<'a>> {
+    let sets = rays(context, budget);
+    let mut candidates: Vec<Candidate<'_>> = left.iter().map(|&own| Candidate::new(own)).collect();
+    for candidate in &mut candidates {
+        context.pools.all.install(|| candidate.build(context.scene, &context.plan.build));
     }
-    let times: Vec<_> = entrants.iter_mut().map(|entrant| probe_all(entrant, &sets)).collect();
-    *rays_checked += compare_hits(&mut entrants, &sets, &times, budget);
-    for (done, set) in sets.iter().enumerate() {
-        if (stage.cancelled)() {
-            entrants.iter_mut().for_each(Entrant::stop);
-            break;
-        }
-        let times: Vec<_> = times.iter().map(|times| times[done]).collect();
-        let share = budget.share(1.0 / (sets.len() - done) as f64);
-        replay(&mut entrants, set, &times, stage, share);
+    let times: Vec<RayTimes> = candidates.iter_mut().map(|own| ray_times(own, &sets)).collect();
+    *rays_checked += compare_hits(&mut candidates, &sets, &times, budget);
+    if !replay_all(context, &mut candidates, &sets, &times, budget) {
+        candidates.iter_mut().for_each(Candidate::mark_stopped);
     }
-    entrants
+    candidates
 }
 
-/// Compares all answers with those of the quickest structure of this program, on as many rays as
-/// there is time for, and gives their number. Who differs is not timed.
+/// Compares all results with those of the quickest structure of the library, on as many rays as
+/// there is time for, and returns their number. A structure that differs is not timed.
 fn compare_hits(
-    entrants: &mut [Entrant<'_>],
+    candidates: &mut [Candidate<'_>],
     sets: &[RaySet],
-    times: &[Vec<Option<Duration>>],
+    times: &[RayTimes],
     budget: Budget,
 ) -> u64 {
-    let held = |i: &usize| entrants[*i].is_fit() && !entrants[*i].structure.peer;
-    let reference = (0..entrants.len()).filter(held).min_by_key(|i| {
-        let known = structure_named(entrants[*i].structure.base_name()).is_some();
-        (!known, time_of_all(&times[*i], sets))
-    });
-    let Some(reference) = reference else { return 0 };
-    let lanes = 2.0 * (entrants.len() * sets.len().max(1)) as f64;
-    let share = budget.left().mul_f64(SHARE_OF_PROOF / lanes).max(proof::LEAST_SHARE);
-    let expected = proof::expected(&mut entrants[reference], sets, &times[reference], share);
+    let can_be = |i: &usize| candidates[*i].can_trace() && !candidates[*i].is_peer();
+    let order = |i: &usize| (!candidates[*i].is_of_library(), time_of_all(&times[*i], sets));
+    let Some(reference) = (0..candidates.len()).filter(can_be).min_by_key(order) else { return 0 };
+    let time = proof::time_for_class(budget.left(), candidates.len(), sets.len());
+    let expected = proof::expected(&mut candidates[reference], sets, &times[reference], time);
     let mut checked = 0;
-    for (index, entrant) in entrants.iter_mut().enumerate() {
-        if index == reference || entrant.structure.peer {
-            continue;
-        }
-        let mut own = StructureProof::default();
-        proof::check_rays(entrant, &expected, &times[index], share, &mut own);
-        checked += own.rays_checked;
-        if let Some(text) = own.first_difference {
-            entrant.fail(format!("its answers differ: {text}"));
+    for (index, candidate) in candidates.iter_mut().enumerate() {
+        if index != reference && !candidate.is_peer() {
+            checked += proof::check_rays(candidate, &expected, &times[index], time).rays_checked;
         }
     }
     checked
 }
 
-/// The rays of a small rendering.
-fn rays(stage: &Stage<'_>, budget: Budget) -> Vec<RaySet> {
-    let Some(guide) = structure_named("bvh") else { return Vec::new() };
-    let Stage { scene, plan, pools, cancelled, .. } = *stage;
-    let guide = pools.all.install(|| guide.build(scene, &BuildConfig::default()));
-    let limits = Limits {
-        per_class: plan.rays_per_class,
-        traced: (budget.left().as_secs_f64() * 50_000.0).clamp(5e4, 1e6) as u64,
-    };
+/// The rays of a small rendering, of the classes of the plan.
+fn rays(context: &SceneContext<'_>, budget: Budget) -> Vec<RaySet> {
+    let SceneContext { scene, plan, .. } = context;
+    let tracer = recording_tracer(context);
+    let traced = budget.left().as_secs_f64() * TRACED_PER_SECOND;
     let settings = Settings { seed: plan.picture.seed, ..Settings::of_scene(scene) };
-    let recording = pools.one.install(|| record(scene, &*guide, &settings, limits, cancelled));
-    let mut sets = recording.sets;
+    let traced = traced.clamp(LEAST_TRACED, MOST_TRACED) as u64;
+    let mut sets = record(context, &*tracer, &settings, traced).sets;
     sets.retain(|set| plan.classes.contains(&set.class));
     sets
 }
 
-/// Adds what a structure did at a size; whether it goes on to the next.
-fn note(record: &mut Sweep, entrant: &Entrant<'_>, triangles: u64) -> bool {
-    let report = entrant.report().unwrap_or_default();
-    let name = entrant.structure.name;
-    for class in &entrant.record.classes {
+/// Adds what a structure did at a size; whether it takes part in the next.
+fn note(record: &mut Sweep, candidate: &Candidate<'_>, triangles: u64) -> bool {
+    let report = candidate.build_report().unwrap_or_default();
+    let name = candidate.name();
+    for class in &candidate.record.classes {
         record.points.push(SweepPoint {
             triangles,
             structure: name.to_owned(),
@@ -164,7 +147,7 @@ fn note(record: &mut Sweep, entrant: &Entrant<'_>, triangles: u64) -> bool {
             index_bytes: report.objects.bytes + report.meshes.bytes,
         });
     }
-    let reason = match &entrant.record.status {
+    let reason = match &candidate.record.status {
         Status::Ok => return true,
         Status::Failed { message } => message.clone(),
         Status::TooSlow { after_seconds } => {
@@ -174,7 +157,7 @@ fn note(record: &mut Sweep, entrant: &Entrant<'_>, triangles: u64) -> bool {
         }
         Status::Stopped => "the comparison was stopped".to_owned(),
     };
-    let failed = matches!(entrant.record.status, Status::Failed { .. }) && !entrant.structure.peer;
+    let failed = matches!(candidate.record.status, Status::Failed { .. }) && !candidate.is_peer();
     record.dropped.push(Dropped { structure: name.to_owned(), triangles, reason, failed });
     false
 }
@@ -213,6 +196,8 @@ fn scene_of(kind: MeshKind, triangles: u32, seed: u64) -> Result<Scene, Vec<Scen
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::accel::BuildConfig;
+    use crate::scene::structure_named;
 
     #[test]
     fn every_family_is_in_view() {

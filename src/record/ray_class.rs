@@ -18,12 +18,21 @@ pub enum RayClass {
     Diffuse,
     /// Uniformly random through the scene's box.
     Random,
+    /// Parallel, along an axis of the scene's box: as a height field is probed.
+    Probe,
 }
 
 impl RayClass {
     /// All classes, in the order of reports.
-    pub const ALL: [Self; 6] =
-        [Self::View, Self::Shadow, Self::Mirror, Self::Refraction, Self::Diffuse, Self::Random];
+    pub const ALL: [Self; 7] = [
+        Self::View,
+        Self::Shadow,
+        Self::Mirror,
+        Self::Refraction,
+        Self::Diffuse,
+        Self::Random,
+        Self::Probe,
+    ];
 
     /// The classes that a rendering sends: the first of [`ALL`](Self::ALL).
     pub const RENDERED: [Self; 4] = [Self::View, Self::Shadow, Self::Mirror, Self::Refraction];
@@ -38,6 +47,7 @@ impl RayClass {
             Self::Refraction => "refraction",
             Self::Diffuse => "diffuse",
             Self::Random => "random",
+            Self::Probe => "probe",
         }
     }
 }

@@ -57,6 +57,7 @@ pub use rendering::{Rendering, render};
 pub use sampling::Sampling;
 pub use settings::Settings;
 pub use stats::{ClassStats, RenderStats};
+pub use tiles::pixel_order;
 pub use times::{Stage, StageTimes};
 pub use view::View;
 

@@ -21,6 +21,12 @@ pub(super) fn tiles_of(region: Crop) -> Vec<Crop> {
     .collect()
 }
 
+/// The columns and rows of a picture's pixels, in the order in which a single thread renders them.
+pub fn pixel_order(width: u32, height: u32) -> impl Iterator<Item = [u32; 2]> {
+    let tiles = tiles_of(Crop { x0: 0, y0: 0, x1: width, y1: height });
+    tiles.into_iter().flat_map(pixels_of).map(|pixel| [pixel.x, pixel.y])
+}
+
 /// The pixels of a tile along Morton's curve. Pixels that follow each other lie in a small square,
 /// so the rays through them are coherent.
 pub(super) fn pixels_of(tile: Crop) -> Vec<Pixel> {

@@ -40,6 +40,7 @@ impl Stage {
             Self::Tracing(RayClass::Refraction) => "tracing refraction rays",
             Self::Tracing(RayClass::Diffuse) => "tracing diffuse rays",
             Self::Tracing(RayClass::Random) => "tracing random rays",
+            Self::Tracing(RayClass::Probe) => "tracing probe rays",
             Self::MakingRays => "making rays",
             Self::Shading => "shading",
             Self::Rest => "the rest",

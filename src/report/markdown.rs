@@ -107,6 +107,13 @@ fn add_table(table: &Table, text: &mut String) {
     if !table.note.is_empty() {
         let _ = write!(text, "{}\n\n", escaped(&table.note));
     }
+    text.push_str(&table_lines(table));
+}
+
+/// The heading line and the lines of a table, without its title and its note.
+#[must_use]
+pub fn table_lines(table: &Table) -> String {
+    let mut text = String::new();
     let heads: Vec<String> = table.columns.iter().map(|column| escaped(&column.head)).collect();
     let rules: Vec<&str> =
         table.columns.iter().map(|column| if column.numeric { "--:" } else { "---" }).collect();
@@ -115,6 +122,7 @@ fn add_table(table: &Table, text: &mut String) {
         let cells: Vec<String> = row.iter().map(cell).collect();
         let _ = writeln!(text, "| {} |", cells.join(" | "));
     }
+    text
 }
 
 fn cell(cell: &Cell) -> String {

@@ -21,7 +21,7 @@ mod html;
 mod json;
 mod limits;
 mod markdown;
-mod numbers;
+pub(crate) mod numbers;
 mod plot;
 mod sampling_verdict;
 mod tables;
@@ -34,6 +34,9 @@ use crate::analysis::Analysis;
 use crate::record::Comparison;
 
 pub use json::{ReadError, read as read_json};
+pub use markdown::table_lines as markdown_table;
+pub use tables::{Cell, Column, Table};
+pub(crate) use terminal::table_lines as terminal_table;
 
 /// The bytes of the picture files that a record names, by these names.
 pub type Pictures = BTreeMap<String, Vec<u8>>;

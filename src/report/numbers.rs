@@ -1,4 +1,4 @@
-//! Numbers as reports print them. Only this file rounds, so that all forms print the same numbers.
+//! Numbers as people read them. Only this file rounds, so that all reports and the terminal show the same numbers.
 //!
 //! Tables show three or four digits with a unit; CSV and JSON have numbers in full precision. A spread `low–high` has
 //! the decimals and the unit of its median.
@@ -6,21 +6,21 @@
 use crate::record::Estimate;
 
 /// What is shown in place of a missing number.
-pub(super) const NOTHING: &str = "–";
+pub(crate) const NOTHING: &str = "–";
 
 /// A unit and how many of the base unit it is.
-pub(super) type Unit = (&'static str, f64);
+pub(crate) type Unit = (&'static str, f64);
 
 /// Units of times in nanoseconds, largest first.
-pub(super) const TIME: &[Unit] = &[("s", 1e9), ("ms", 1e6), ("µs", 1e3), ("ns", 1.0)];
+pub(crate) const TIME: &[Unit] = &[("s", 1e9), ("ms", 1e6), ("µs", 1e3), ("ns", 1.0)];
 /// Units of sizes in bytes, largest first.
-pub(super) const BYTES: &[Unit] =
+pub(crate) const BYTES: &[Unit] =
     &[("GiB", 1_073_741_824.0), ("MiB", 1_048_576.0), ("KiB", 1_024.0), ("B", 1.0)];
 /// Factors of counts, largest first.
-pub(super) const COUNT: &[Unit] = &[("G", 1e9), ("M", 1e6), ("k", 1e3), ("", 1.0)];
+pub(crate) const COUNT: &[Unit] = &[("G", 1e9), ("M", 1e6), ("k", 1e3), ("", 1.0)];
 
 /// The decimals of a number with three digits, at most `most`.
-pub(super) fn decimals(value: f64, most: usize) -> usize {
+pub(crate) fn decimals(value: f64, most: usize) -> usize {
     let enough = match value.abs() {
         v if v >= 99.95 => 0,
         v if v >= 9.995 => 1,
@@ -33,17 +33,17 @@ pub(super) fn decimals(value: f64, most: usize) -> usize {
 }
 
 /// A number with three digits or more, in groups of three.
-pub(super) fn figures(value: f64) -> String {
+pub(crate) fn figures(value: f64) -> String {
     grouped(&format!("{value:.*}", decimals(value, 5)))
 }
 
 /// A whole number in groups of three digits: `1 234 567`, with no-break spaces.
-pub(super) fn whole(n: u64) -> String {
+pub(crate) fn whole(n: u64) -> String {
     grouped(&n.to_string())
 }
 
 /// A number of things, in the plural unless it is 1.
-pub(super) fn things(n: u64, thing: &str) -> String {
+pub(crate) fn things(n: u64, thing: &str) -> String {
     format!("{} {thing}{}", whole(n), if n == 1 { "" } else { "s" })
 }
 
@@ -62,7 +62,7 @@ fn grouped(number: &str) -> String {
 }
 
 /// The largest unit in which a number is at least 1, as it will be rounded.
-pub(super) fn unit_of(value: f64, units: &'static [Unit]) -> Unit {
+pub(crate) fn unit_of(value: f64, units: &'static [Unit]) -> Unit {
     let fits = |unit: &&Unit| value.abs() >= 0.9995 * unit.1;
     units.iter().find(fits).or(units.last()).copied().unwrap_or(("", 1.0))
 }
@@ -75,42 +75,55 @@ fn with_unit(value: f64, units: &'static [Unit]) -> String {
 }
 
 /// A time: `45.6 ms`.
-pub(super) fn time(nanoseconds: f64) -> String {
+pub(crate) fn time(nanoseconds: f64) -> String {
     with_unit(nanoseconds, TIME)
 }
 
+/// A time that somebody waits for: `45.6 ms`; from two minutes on in the two largest units that it
+/// fills, `2 min 5 s` or `1 h 2 min`.
+pub(crate) fn duration(seconds: f64) -> String {
+    if seconds < 119.5 {
+        return time(seconds * 1e9);
+    }
+    let seconds = seconds.round() as u64;
+    match seconds / 60 {
+        minutes if minutes < 60 => format!("{minutes}\u{a0}min {}\u{a0}s", seconds % 60),
+        minutes => format!("{}\u{a0}h {}\u{a0}min", minutes / 60, minutes % 60),
+    }
+}
+
 /// A size in memory: `4.50 MiB`; bytes are whole.
-pub(super) fn bytes(n: u64) -> String {
+pub(crate) fn bytes(n: u64) -> String {
     if n < 1_024 { format!("{n}\u{a0}B") } else { with_unit(n as f64, BYTES) }
 }
 
 /// A count: `999`, `1.23 M`; below a thousand exact.
-pub(super) fn count(n: u64) -> String {
+pub(crate) fn count(n: u64) -> String {
     if n < 1_000 { n.to_string() } else { with_unit(n as f64, COUNT) }
 }
 
 /// A computed number of rays: `1.23 M`.
-pub(super) fn about(n: f64) -> String {
+pub(crate) fn about(n: f64) -> String {
     with_unit(n, COUNT)
 }
 
 /// A share as a percentage: `12.3 %`.
-pub(super) fn percent(share: f64) -> String {
+pub(crate) fn percent(share: f64) -> String {
     format!("{:.1}\u{a0}%", share * 100.0)
 }
 
 /// A share that may be far below a percent, with three digits.
-pub(super) fn small_percent(share: f64) -> String {
+pub(crate) fn small_percent(share: f64) -> String {
     format!("{}\u{a0}%", figures(share * 100.0))
 }
 
 /// A median without its interval, with three digits.
-pub(super) fn median(estimate: Estimate) -> String {
+pub(crate) fn median(estimate: Estimate) -> String {
     figures(estimate.median)
 }
 
 /// The interval of an estimate with the decimals of its median: `3.02–3.21`.
-pub(super) fn spread(estimate: Estimate) -> Option<String> {
+pub(crate) fn spread(estimate: Estimate) -> Option<String> {
     let interval = estimate.interval?;
     let places = decimals(estimate.median, 5);
     let show = |value: f64| grouped(&format!("{value:.places$}"));
@@ -118,14 +131,14 @@ pub(super) fn spread(estimate: Estimate) -> Option<String> {
 }
 
 /// Median and interval in the unit of the median: `45.6 ms (45.2–46.0)`.
-pub(super) fn time_estimate(estimate: Estimate) -> (String, Option<String>) {
+pub(crate) fn time_estimate(estimate: Estimate) -> (String, Option<String>) {
     let (name, size) = unit_of(estimate.median, TIME);
     let scaled = estimate.map(|ns| ns / size);
     (format!("{}\u{a0}{name}", median(scaled)), spread(scaled))
 }
 
 /// A number in full precision: reading it gives the same number.
-pub(super) fn exact(value: f64) -> String {
+pub(crate) fn exact(value: f64) -> String {
     format!("{value}")
 }
 
@@ -146,6 +159,15 @@ mod tests {
         assert_eq!(percent(0.1234), "12.3\u{a0}%");
         assert_eq!(whole(1_234_567), "1\u{202f}234\u{202f}567");
         assert_eq!((whole(1_234), whole(12_345)), ("1234".to_owned(), "12\u{202f}345".to_owned()));
+    }
+
+    #[test]
+    fn long_times_have_two_units() {
+        assert_eq!(duration(59.96), "60.0\u{a0}s");
+        assert_eq!(duration(119.4), "119\u{a0}s");
+        assert_eq!(duration(119.6), "2\u{a0}min 0\u{a0}s");
+        assert_eq!(duration(125.0), "2\u{a0}min 5\u{a0}s");
+        assert_eq!(duration(3_720.0), "1\u{a0}h 2\u{a0}min");
     }
 
     #[test]

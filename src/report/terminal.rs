@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::Report;
 use super::numbers::{self, NOTHING};
 use super::sampling_verdict::sampling_verdict;
-use super::tables;
+use super::tables::{self, Cell, Column, Table};
 use super::verdict::verdict;
 use crate::analysis::baseline::{improvements, regressions};
 use crate::analysis::{SceneFigures, StructureFigures};
@@ -18,7 +18,9 @@ pub(super) fn write(report: &Report<'_>) -> String {
     for (scene, figures) in comparison.scenes.iter().zip(&analysis.scenes) {
         let triangles = numbers::count(scene.triangles);
         let _ = writeln!(text, "{} ({triangles} triangles), million rays per second", scene.name);
-        text += &aligned(&scene_rows(scene, figures));
+        for line in table_lines(&scene_table(scene, figures)).lines() {
+            let _ = writeln!(text, "  {line}");
+        }
         text.push('\n');
     }
     text += &verdict(report);
@@ -67,11 +69,13 @@ pub(super) fn write_changes(baseline: &Baseline) -> String {
     warnings + &text
 }
 
-fn scene_rows(scene: &SceneRecord, figures: &SceneFigures) -> Vec<Vec<String>> {
+fn scene_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
     let classes = figures.classes();
-    let mut head = vec!["structure".to_owned()];
-    head.extend(classes.iter().map(|class| class.name().to_owned()));
-    head.extend(["× base", "build", "memory", "picture", "proof"].map(str::to_owned));
+    let mut heads = vec!["structure".to_owned()];
+    heads.extend(classes.iter().map(|class| format!("#{}", class.name())));
+    heads.extend(["#× base", "#build", "#memory", "#picture", "proof"].map(str::to_owned));
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let mut table = Table::new("", "", &heads);
     let rows = scene.structures.iter().zip(&figures.structures).map(|(record, own)| {
         let memory = record.memory.as_ref().map(|memory| numbers::bytes(memory.index_bytes));
         let time = |ns: Option<Estimate>| or_dash(ns.map(|ns| numbers::time(ns.median)));
@@ -82,9 +86,10 @@ fn scene_rows(scene: &SceneRecord, figures: &SceneFigures) -> Vec<Vec<String>> {
         row.push(or_dash(memory));
         row.push(time(own.picture_ns));
         row.push(remark(scene, &record.name, &record.status));
-        row
+        row.into_iter().map(Cell::text).collect()
     });
-    std::iter::once(head).chain(rows).collect()
+    table.rows = rows.collect();
+    table
 }
 
 fn rate(own: &StructureFigures, class: RayClass) -> String {
@@ -118,24 +123,25 @@ fn or_dash(text: Option<String>) -> String {
     text.unwrap_or_else(|| NOTHING.to_owned())
 }
 
-/// Columns as wide as their widest cell. The first and the last are aligned left, the others right.
-fn aligned(rows: &[Vec<String>]) -> String {
-    let columns = rows.first().map_or(0, Vec::len);
-    let width = |column: usize| {
-        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default()
+/// The heading line and the lines of a table, in columns as wide as their widest cell: numbers are
+/// aligned to the right, texts to the left. Spreads are left out.
+pub(crate) fn table_lines(table: &Table) -> String {
+    let width = |(index, column): (usize, &Column)| {
+        let cells = table.rows.iter().map(|row| row[index].text.chars().count());
+        cells.chain([column.head.chars().count()]).max().unwrap_or_default()
     };
-    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let widths: Vec<usize> = table.columns.iter().enumerate().map(width).collect();
+    let heads = table.columns.iter().map(|column| column.head.as_str()).collect();
+    let rows = table.rows.iter().map(|row| row.iter().map(|cell| cell.text.as_str()).collect());
     let mut text = String::new();
-    for row in rows {
-        let mut line = String::from(" ");
-        for (column, (cell, &width)) in row.iter().zip(&widths).enumerate() {
-            let _ = match column {
-                0 => write!(line, " {cell:<width$}"),
-                _ if column + 1 == columns => write!(line, "  {cell}"),
-                _ => write!(line, "  {cell:>width$}"),
-            };
-        }
-        text += line.trim_end();
+    for row in std::iter::once(heads).chain(rows) {
+        let row: Vec<&str> = row;
+        let cells = row.into_iter().zip(&widths).zip(&table.columns);
+        let cell = |((text, &width), column): ((&str, &usize), &Column)| match column.numeric {
+            true => format!("{text:>width$}"),
+            false => format!("{text:<width$}"),
+        };
+        text += cells.map(cell).collect::<Vec<_>>().join("  ").trim_end();
         text.push('\n');
     }
     text

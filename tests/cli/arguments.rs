@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use srt::scene::STRUCTURES;
+
 use crate::support::{Run, folder, refused, run_in};
 
 #[test]
@@ -47,11 +49,6 @@ fn help_names_every_option_and_exit_code() {
         "mesh",
         "completions",
         "man",
-        "none",
-        "ball",
-        "bvh",
-        "cwbvh",
-        "bvh8",
         "bvh8:builder=sah|ploc",
         "cwbvh:leaf=1..3",
         "fastest",
@@ -66,6 +63,11 @@ fn help_names_every_option_and_exit_code() {
         "top left",
     ] {
         assert!(help.contains(word), "the help does not mention {word}:\n{help}");
+    }
+    for structure in STRUCTURES {
+        for word in [structure.name, structure.summary] {
+            assert!(help.contains(word), "the help does not mention {word}:\n{help}");
+        }
     }
     for subcommand in
         ["compare", "conformance", "report", "check", "diff", "mesh", "completions", "man"]
@@ -98,7 +100,7 @@ fn values_are_checked() {
     with("--size", "0x60", &["between 1 and"]);
     with("--crop", "1,2,3", &["x0,y0,x1,y1"]);
     with("--crop", "5,0,5,9", &["empty"]);
-    with("--accel", "bhv", &["none", "ball", "bvh", "cwbvh"]);
+    with("--accel", "bhv", &STRUCTURES.iter().map(|one| one.name).collect::<Vec<_>>());
     with("--accel", "bvh8:builder=plco", &["--accel", "`sah`, `ploc`", "did you mean `ploc`?"]);
     with("--accel", "bvh8:leaf=9", &["a whole number from 1 to 8"]);
     with("--accel", "none:leaf=1", &["no option `leaf`"]);
@@ -196,7 +198,7 @@ mod unix {
 
     use super::*;
 
-    /// The system's root may write everywhere, and such tests say nothing about it.
+    /// The system's root may write everywhere, and cannot be tested so.
     fn may_write_anywhere(folder: &Path) -> bool {
         fs::write(folder.join("probe"), "").is_ok()
     }

@@ -1,4 +1,4 @@
-//! `srt check`, and what is said of scenes whose meshes are wrong.
+//! `srt check`, and its errors about scenes whose meshes are wrong.
 
 use std::fs;
 use std::path::Path;
@@ -34,19 +34,19 @@ fn the_worst_scene_decides_and_all_are_checked() {
 #[test]
 fn an_eye_within_an_opaque_ball_is_warned_of_unless_a_light_is_there_too() {
     let folder = folder();
-    let said = |more: &str| {
+    let warnings = |more: &str| {
         let scene = SCENE.replace("\nend\n", &format!("\n{more}\nend\n"));
         fs::write(folder.path().join("ball.sce"), scene).unwrap();
         let run = run_in(folder.path(), &["check", "ball.sce"]);
         assert_eq!(run.code, 0, "{}", run.stderr);
         run.stderr
     };
-    let dark = said("translate 0 -6 2.5\nscale 1 2 1\nball 0.5 0 0 0");
+    let dark = warnings("translate 0 -6 2.5\nscale 1 2 1\nball 0.5 0 0 0");
     assert!(dark.contains("warning: the eye is within an opaque ball"), "{dark}");
     assert!(dark.contains("this ball"), "{dark}");
-    assert_eq!(said("alpha 0.5\nball 0.5 0 -6 2.5"), "");
-    assert_eq!(said("ball 50 0 0 0"), "", "the light is in it too");
-    assert_eq!(said("ball 0.5 0 -7 2.5"), "");
+    assert_eq!(warnings("alpha 0.5\nball 0.5 0 -6 2.5"), "");
+    assert_eq!(warnings("ball 50 0 0 0"), "", "the light is in it too");
+    assert_eq!(warnings("ball 0.5 0 -7 2.5"), "");
 }
 
 /// Scenes of one mesh each, and the files that it may be.
@@ -63,8 +63,8 @@ fn meshes(folder: &Path) {
     write("partly_flat.obj", b"v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\nf 1 1 4\n");
 }
 
-/// What `check` says of the scene with its mesh called `name`.
-fn said_of(name: &str) -> (i32, String) {
+/// What `check` prints about the scene with its mesh called `name`.
+fn check_mesh(name: &str) -> (i32, String) {
     let folder = folder();
     meshes(folder.path());
     let scene = SCENE.replace("generate:torus-knot:1000", name);
@@ -74,7 +74,7 @@ fn said_of(name: &str) -> (i32, String) {
 }
 
 #[test]
-fn meshes_that_cannot_be_had() {
+fn meshes_that_cannot_be_loaded() {
     let names = [
         "meshes/malformd.obj",
         "nowhere/a.obj",
@@ -90,7 +90,7 @@ fn meshes_that_cannot_be_had() {
     ];
     let mut all = String::new();
     for name in names {
-        let (code, stderr) = said_of(name);
+        let (code, stderr) = check_mesh(name);
         assert_eq!(code, 1, "{name}: {stderr}");
         all += &stderr;
         all += "\n";
@@ -100,7 +100,7 @@ fn meshes_that_cannot_be_had() {
 
 #[test]
 fn degenerate_triangles_are_one_warning() {
-    let (code, stderr) = said_of("meshes/partly_flat.obj");
+    let (code, stderr) = check_mesh("meshes/partly_flat.obj");
     assert_eq!(code, 0);
     insta::assert_snapshot!("degenerate_triangles_of_a_mesh", stderr);
 }
@@ -144,7 +144,7 @@ fn objects_that_memory_cannot_hold() {
 }
 
 #[test]
-fn all_trouble_of_a_scene_is_told_at_once() {
+fn all_errors_of_a_scene_are_printed_at_once() {
     let folder = folder();
     let scene = SCENE.replace("end\n", "object_flat b.obj\nobject_flat a.obj\nend\n");
     fs::write(folder.path().join("two.sce"), scene).unwrap();

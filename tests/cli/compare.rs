@@ -131,9 +131,9 @@ fn a_study_of_sampling_is_a_chapter_in_all_forms() {
     let noise = record["derived"]["noise"].as_array().unwrap();
     assert!(noise.len() >= 12 && noise.iter().all(|own| own["scene"] == "scene"), "{noise:?}");
     assert!(read("sampling.csv").contains("\r\nnoise,scene,shuffled,"));
-    let told = "unlit was left out of the study of sampling";
+    let note = "unlit was left out of the study of sampling";
     for (file, title) in [("report.md", "### Noise that"), ("report.html", "noise against time")] {
-        assert!(read(file).contains(title) && read(file).contains(told), "{file}");
+        assert!(read(file).contains(title) && read(file).contains(note), "{file}");
     }
 }
 

@@ -2,12 +2,14 @@
 
 use std::fs;
 
+use srt::assets::generate::MeshKind;
+
 use crate::support::{folder, good_run_in, names, run_in};
 
 #[test]
 fn every_kind_makes_a_mesh_that_a_scene_can_use() {
     let folder = folder();
-    for kind in ["icosphere", "torus-knot", "terrain", "hall", "soup"] {
+    for kind in MeshKind::ALL.map(MeshKind::name) {
         good_run_in(folder.path(), &["mesh", kind, "--triangles", "2000", "-o", "m.obj"]);
         let text = fs::read_to_string(folder.path().join("m.obj")).unwrap();
         let faces = text.lines().filter(|line| line.starts_with("f ")).count();
@@ -21,18 +23,16 @@ fn every_kind_makes_a_mesh_that_a_scene_can_use() {
 }
 
 #[test]
-fn a_number_that_the_form_does_not_allow_is_told() {
+fn a_number_that_the_shape_does_not_allow_is_noted() {
     let folder = folder();
     let run = good_run_in(folder.path(), &["mesh", "icosphere", "-n", "100"]);
     assert!(run.stdout.starts_with("v "), "{}", run.stdout);
-    assert_eq!(
-        run.stderr,
-        "the icosphere has 80 triangles: asked for 100, the form does not allow every number\n"
-    );
+    let other = "but the shape does not allow every number\n";
+    assert_eq!(run.stderr, format!("the icosphere has 80 triangles: 100 were requested, {other}"));
     let least = good_run_in(folder.path(), &["mesh", "hall", "-n", "1"]);
-    assert_eq!(least.stderr, "the hall has 168 triangles: asked for 1, the least is 168\n");
+    assert_eq!(least.stderr, "the hall has 168 triangles: 1 were requested, the least is 168\n");
     let more = good_run_in(folder.path(), &["mesh", "icosphere", "-n", "30"]);
-    assert!(more.stderr.ends_with("asked for 30, the form does not allow every number\n"));
+    assert!(more.stderr.ends_with(&format!("30 were requested, {other}")), "{}", more.stderr);
     let exact = good_run_in(folder.path(), &["mesh", "soup", "-n", "7"]);
     assert_eq!(exact.stderr, "");
 }

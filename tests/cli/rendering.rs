@@ -2,7 +2,10 @@
 
 use std::fs;
 
+use srt::accel::Quality;
 use srt::image_io::Picture;
+use srt::render::View;
+use srt::scene::STRUCTURES;
 
 use crate::support::{folder, good_run_in, names, picture, rendered, run_in, srt};
 
@@ -29,13 +32,13 @@ fn a_scene_becomes_a_picture_and_a_line() {
 fn neither_structure_nor_build_nor_threads_change_a_byte() {
     let folder = folder();
     let reference = rendered(folder.path(), "a.exr", &["--accel", "none", "--threads", "1"]);
-    for structure in ["ball", "bvh", "cwbvh"] {
+    for structure in STRUCTURES {
         for threads in ["1", "2"] {
-            let options = ["--accel", structure, "--threads", threads];
+            let options = ["--accel", structure.name, "--threads", threads];
             assert!(rendered(folder.path(), "b.exr", &options) == reference, "{options:?}");
         }
     }
-    for quality in ["fastest", "fast", "slow", "slowest"] {
+    for quality in Quality::ALL.map(Quality::name) {
         assert!(rendered(folder.path(), "b.exr", &["--build", quality]) == reference, "{quality}");
     }
     assert!(rendered(folder.path(), "b.exr", &["--stats"]) == reference, "counting");
@@ -117,7 +120,7 @@ fn a_scene_may_come_from_standard_input() {
 fn every_view_shows_something_of_its_own() {
     let folder = folder();
     let mut seen = Vec::new();
-    for view in ["color", "normal", "depth", "object", "primitive", "heatmap"] {
+    for view in View::ALL.map(View::name) {
         let run = good_run_in(folder.path(), &["scene.sce", "a.png", "--view", view]);
         let has_scale = matches!(view, "depth" | "heatmap");
         assert_eq!(run.stderr.contains(": black is "), has_scale, "{view}: {}", run.stderr);
@@ -167,7 +170,7 @@ fn meshes_are_found_from_anywhere() {
 }
 
 #[test]
-fn a_wrong_scene_is_told_and_nothing_is_written() {
+fn the_errors_of_a_scene_are_printed_and_nothing_is_written() {
     let folder = folder();
     fs::write(folder.path().join("old.png"), "old").unwrap();
     fs::write(folder.path().join("bad.sce"), "sce1.0\nbal 1 0 0 0\n").unwrap();
@@ -182,7 +185,7 @@ fn a_wrong_scene_is_told_and_nothing_is_written() {
 }
 
 #[test]
-fn warnings_are_told_unless_quiet() {
+fn warnings_are_printed_unless_quiet() {
     let folder = folder();
     let scene = fs::read_to_string(folder.path().join("scene.sce")).unwrap();
     let scene = scene.replace("end\n", "fog 1 2\n");

@@ -35,7 +35,7 @@ arealight 0.7 0.8 0.8 0.8
 end
 ";
 
-/// What a run of the command came to.
+/// The exit code and the output of a run of the command.
 pub(crate) struct Run {
     pub(crate) code: i32,
     pub(crate) stdout: String,
@@ -98,7 +98,7 @@ pub(crate) fn refused(arguments: &[&str], parts: &[&str]) {
     assert_eq!(code, 2, "{arguments:?}: {stderr}");
     assert!(stdout.is_empty(), "{stdout}");
     for part in parts {
-        assert!(stderr.contains(part), "{arguments:?} should say {part}:\n{stderr}");
+        assert!(stderr.contains(part), "{arguments:?} should print {part}:\n{stderr}");
     }
     assert_eq!(names(folder.path()), ["scene.sce"], "{arguments:?} left a file");
 }

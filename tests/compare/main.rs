@@ -1,4 +1,5 @@
-//! Comparisons through the library: what is wrong is found and named, and all get the same rays.
+//! Comparisons through the library: what is wrong is found and named, and all structures get the same
+//! rays.
 
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
@@ -15,11 +16,11 @@ use broken::{Panicking, Shrunken};
 use slow::Forgetful;
 use srt::accel::{Accel, Bounded, Build, Built, Bvh};
 use srt::assets::generate::MeshKind;
-use srt::compare::{Observer, Outcome, Plan, SceneInput, Silent, SweepPlan, run};
+use srt::compare::{ComparisonResult, Observer, Plan, SceneInput, Silent, SweepPlan, run};
 use srt::counters::Counters;
 use srt::math::{BoxRay, Ray};
 use srt::record::{RayClass, RoundRule, Status};
-use srt::scene::{Scene, Structure, structure_named};
+use srt::scene::{STRUCTURES, Scene, Structure, structure_named};
 use srt::scene_file::{ParseOptions, parse};
 
 const SCENE: &str = "sce1.0
@@ -65,17 +66,18 @@ fn named(name: &str) -> Structure {
     *structure_named(name).unwrap()
 }
 
-fn compare(structures: &[Structure]) -> Outcome {
+fn compare(structures: &[Structure]) -> ComparisonResult {
     run(&plan(), structures, &Silent).unwrap()
 }
 
 #[test]
 fn structures_that_keep_the_contract_agree() {
-    let outcome = compare(&["none", "ball", "bvh", "cwbvh"].map(named));
-    assert!(outcome.holds());
-    let scene = &outcome.comparison.scenes[0];
+    let result = compare(STRUCTURES);
+    assert!(result.holds());
+    let scene = &result.comparison.scenes[0];
     let proof = scene.proof.as_ref().unwrap();
-    assert_eq!((proof.reference.as_str(), proof.structures.len()), ("none", 4));
+    let all = STRUCTURES.len();
+    assert_eq!((proof.reference.as_str(), proof.structures.len()), ("none", all));
     for entry in &proof.structures {
         assert_eq!(entry.picture_equal, Some(true));
         assert_eq!(entry.picture_hash, Some(scene.picture.as_ref().unwrap().hash.clone()));
@@ -85,7 +87,7 @@ fn structures_that_keep_the_contract_agree() {
         assert_eq!(row.status, Status::Ok);
         assert!(!row.build.one_thread_ns.is_empty() && !row.build.all_threads_ns.is_empty());
         assert!(!row.picture_rounds.is_empty());
-        assert_eq!(row.classes.len(), 5, "there is no refraction");
+        assert_eq!(row.classes.len(), RayClass::ALL.len() - 1, "there is no refraction");
         for class in &row.classes {
             assert!(class.rounds.len() >= 3, "{:?}", class.class);
             let same = scene.structures[0].class(class.class).unwrap();
@@ -96,16 +98,16 @@ fn structures_that_keep_the_contract_agree() {
     }
     let none = scene.structures[0].class(RayClass::View).unwrap();
     assert_eq!(none.primitives, Some(4 * none.rays), "every object for every ray");
-    let heatmaps = outcome.pictures.iter().filter(|(name, _)| name.contains("heatmap"));
-    assert_eq!(heatmaps.count(), 4);
+    let heatmaps = result.pictures.iter().filter(|(name, _)| name.contains("heatmap"));
+    assert_eq!(heatmaps.count(), all);
 }
 
 #[test]
 fn a_structure_that_prunes_too_much_is_caught_with_a_ray() {
     let broken = Structure::new::<Shrunken, Shrunken>("shrunken", "boxes that are too small");
-    let outcome = compare(&[named("none"), named("bvh"), broken]);
-    assert!(!outcome.holds());
-    let scene = &outcome.comparison.scenes[0];
+    let result = compare(&[named("none"), named("bvh"), broken]);
+    assert!(!result.holds());
+    let scene = &result.comparison.scenes[0];
     let proof = scene.proof.as_ref().unwrap();
     assert!(proof.structure("bvh").unwrap().holds());
     let entry = proof.structure("shrunken").unwrap();
@@ -116,12 +118,12 @@ fn a_structure_that_prunes_too_much_is_caught_with_a_ray() {
     }
     let row = scene.structure("shrunken").unwrap();
     assert!(matches!(&row.status, Status::Failed { message } if message.contains(ray)));
-    assert!(row.classes.is_empty(), "wrong answers are not timed");
+    assert!(row.classes.is_empty(), "wrong results are not timed");
     assert!(!scene.structure("bvh").unwrap().classes.is_empty(), "the others go on");
 }
 
 #[test]
-fn a_sweep_compares_hits_and_drops_who_differs() {
+fn a_sweep_compares_hits_and_drops_a_structure_that_differs() {
     let broken = Structure::new::<Bvh, Forgetful>("lossy", "loses half of the triangles");
     let plan = Plan {
         sweep: Some(SweepPlan { mesh: MeshKind::Icosphere, sizes: vec![80, 320] }),
@@ -129,12 +131,12 @@ fn a_sweep_compares_hits_and_drops_who_differs() {
         budget: Some(Duration::from_secs(6)),
         ..plan()
     };
-    let outcome = run(&plan, &[named("none"), broken, named("bvh")], &Silent).unwrap();
-    let sweep = &outcome.comparison.sweeps[0];
-    assert!(!outcome.holds() && sweep.rays_checked > 100, "{}", sweep.rays_checked);
+    let result = run(&plan, &[named("none"), broken, named("bvh")], &Silent).unwrap();
+    let sweep = &result.comparison.sweeps[0];
+    assert!(!result.holds() && sweep.rays_checked > 100, "{}", sweep.rays_checked);
     let [dropped] = &sweep.dropped[..] else { panic!("{:?}", sweep.dropped) };
     assert_eq!((dropped.structure.as_str(), dropped.failed), ("lossy", true));
-    assert!(dropped.reason.contains("its answers differ: "), "{}", dropped.reason);
+    assert!(dropped.reason.contains("its results differ: "), "{}", dropped.reason);
     assert!(sweep.points.iter().all(|point| point.structure != "lossy"));
 }
 
@@ -142,24 +144,24 @@ fn a_sweep_compares_hits_and_drops_who_differs() {
 fn a_panic_is_a_row() {
     let building = Structure::new::<Panicking<true>, Bvh>("builder", "panics in its build");
     let tracing = Structure::new::<Panicking<false>, Bvh>("tracer", "panics in its search");
-    let outcome = compare(&[building, tracing, named("bvh")]);
-    assert!(!outcome.holds());
-    let scene = &outcome.comparison.scenes[0];
+    let result = compare(&[building, tracing, named("bvh")]);
+    assert!(!result.holds());
+    let scene = &result.comparison.scenes[0];
     for name in ["builder", "tracer"] {
         let status = &scene.structure(name).unwrap().status;
-        let told = matches!(status, Status::Failed { message } if message.contains("on purpose"));
-        assert!(told, "{name}: {status:?}");
+        let failed = matches!(status, Status::Failed { message } if message.contains("on purpose"));
+        assert!(failed, "{name}: {status:?}");
     }
     assert_eq!(scene.structure("bvh").unwrap().status, Status::Ok);
     assert_eq!(scene.proof.as_ref().unwrap().reference, "bvh");
 }
 
-/// A tree that adds the bits of all rays that it is asked, whatever their order.
-struct Listening(Bvh);
+/// A tree that adds up the bits of all rays that it traces, whatever their order.
+struct Summing(Bvh);
 
-static HEARD: AtomicU64 = AtomicU64::new(0);
+static SUM: AtomicU64 = AtomicU64::new(0);
 
-impl Accel for Listening {
+impl Accel for Summing {
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         let built = Bvh::build(primitives, build);
         Built { accel: Self(built.accel), order: built.order }
@@ -174,7 +176,7 @@ impl Accel for Listening {
     ) {
         let parts = ray.origin.to_array().into_iter().chain(ray.dir.to_array());
         let sum = parts.map(|x| u64::from(x.to_bits())).sum();
-        HEARD.fetch_add(sum, Ordering::Relaxed);
+        SUM.fetch_add(sum, Ordering::Relaxed);
         self.0.traverse(ray, box_ray, counters, leaf);
     }
 
@@ -186,18 +188,18 @@ impl Accel for Listening {
 #[test]
 fn the_same_rays_are_recorded_in_every_run() {
     // Without replays all rays come from the proof, the pictures and the heatmaps.
-    let heard = || {
-        HEARD.store(0, Ordering::Relaxed);
-        let listening = Structure::new::<Listening, Bvh>("listening", "adds up its rays");
+    let proof = || {
+        SUM.store(0, Ordering::Relaxed);
+        let summing = Structure::new::<Summing, Bvh>("summing", "adds up its rays");
         let plan = Plan { classes: vec![], ..plan() };
-        let outcome = run(&plan, &[listening], &Silent).unwrap();
-        let row = &outcome.comparison.scenes[0].structures[0];
-        (outcome.comparison.scenes[0].proof.clone(), row.status.clone())
+        let result = run(&plan, &[summing], &Silent).unwrap();
+        let row = &result.comparison.scenes[0].structures[0];
+        (result.comparison.scenes[0].proof.clone(), row.status.clone())
     };
-    let (first, status) = heard();
+    let (first, status) = proof();
     assert_eq!(status, Status::Ok);
-    assert!(HEARD.load(Ordering::Relaxed) > 0);
-    assert_eq!(heard().0, first);
+    assert!(SUM.load(Ordering::Relaxed) > 0);
+    assert_eq!(proof().0, first);
 }
 
 /// Stops a comparison at a step.
@@ -220,9 +222,9 @@ impl Observer for StopAt {
 #[test]
 fn what_is_done_before_a_stop_is_kept() {
     let stop = StopAt("timing rays", AtomicU64::new(0));
-    let outcome = run(&plan(), &["none", "bvh"].map(named), &stop).unwrap();
-    assert!(outcome.comparison.run.partial);
-    let scene = &outcome.comparison.scenes[0];
+    let result = run(&plan(), &["none", "bvh"].map(named), &stop).unwrap();
+    assert!(result.comparison.run.partial);
+    let scene = &result.comparison.scenes[0];
     assert!(scene.proof.as_ref().unwrap().holds());
     for row in &scene.structures {
         assert_eq!(row.status, Status::Stopped);

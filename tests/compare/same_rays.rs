@@ -75,8 +75,8 @@ fn every_structure_is_given_the_same_rays_in_every_round() {
     let mut all = Vec::new();
     for class in RayClass::ALL {
         let plan = Plan { classes: vec![class], ..plan() };
-        let outcome = run(&plan, &structures, &FromReplayOn).unwrap();
-        let rows = &outcome.comparison.scenes[0].structures;
+        let result = run(&plan, &structures, &FromReplayOn).unwrap();
+        let rows = &result.comparison.scenes[0].structures;
         let notes: Vec<Vec<Bits>> = (0..NOTES.len()).map(take).collect();
         if class == RayClass::Refraction {
             assert!(notes.iter().all(Vec::is_empty), "nothing is transparent");

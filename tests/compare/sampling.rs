@@ -94,8 +94,8 @@ fn scenes_without_area_lights_are_left_out_and_named() {
     let (chapter, analysis, notes) = chapter(&plan);
     assert!(analysis.noise.is_empty() && chapter.parts.is_empty());
     assert_eq!(chapter.costs.len(), 6);
-    let told = "balls was left out of the study of sampling: it has no area light.";
-    assert!(notes.iter().any(|note| note == told), "{notes:?}");
+    let expected = "balls was left out of the study of sampling: it has no area light.";
+    assert!(notes.iter().any(|note| note == expected), "{notes:?}");
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! Structures of which a ray takes long: a small budget is kept, ratios are those of equal rays, and
-//! what few rays do not show is shown by others.
+//! Structures whose rays take long: a small budget is kept, ratios are those of equal rays, and a
+//! witness shows what few rays of the reference do not.
 
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -77,15 +77,20 @@ fn short_plan(seconds: f64) -> Plan {
     }
 }
 
+/// View rays alone, with time for some of them at two milliseconds each.
+fn view_plan() -> Plan {
+    Plan { classes: vec![RayClass::View], ..short_plan(8.0) }
+}
+
 #[test]
 fn a_ray_that_is_beyond_the_budget_is_traced_once() {
     let slow = Structure::new::<Slow<100_000>, Exhaustive>("slow", "a tenth of a second a ray");
-    let outcome = run(&short_plan(0.5), &[named("bvh"), slow], &Silent).unwrap();
-    let scene = &outcome.comparison.scenes[0];
+    let result = run(&short_plan(0.5), &[named("bvh"), slow], &Silent).unwrap();
+    let scene = &result.comparison.scenes[0];
     let row = scene.structure("slow").unwrap();
     assert!(matches!(row.status, Status::TooSlow { .. }), "{:?}", row.status);
-    // One look at one ray, for all five classes; a second look where another program had the
-    // processor for nearly all of the first.
+    // One trial of one ray, for all classes; a second one where another program had the processor for
+    // nearly all of the first.
     let rays = RAYS.load(Ordering::Relaxed);
     assert!(rays <= 2, "{rays} rays");
     assert!(!scene.structure("bvh").unwrap().classes.is_empty());
@@ -93,11 +98,11 @@ fn a_ray_that_is_beyond_the_budget_is_traced_once() {
 
 #[test]
 fn a_ratio_is_that_of_rays_that_both_traced() {
-    let slow = Structure::new::<Slow<500>, Exhaustive>("none", "half a millisecond a ray");
-    let outcome = run(&short_plan(8.0), &[named("bvh"), slow], &Silent).unwrap();
-    let scene = &outcome.comparison.scenes[0];
+    let slow = Structure::new::<Slow<2_000>, Exhaustive>("none", "two milliseconds a ray");
+    let result = run(&view_plan(), &[named("bvh"), slow], &Silent).unwrap();
+    let scene = &result.comparison.scenes[0];
     let (bvh, slow) = (scene.structure("bvh").unwrap(), scene.structure("none").unwrap());
-    let figures = Analysis::of(&outcome.comparison);
+    let figures = Analysis::of(&result.comparison);
     let (base, own) = (slow.class(RayClass::View).unwrap(), bvh.class(RayClass::View).unwrap());
     assert!(base.rays < own.rays, "{} and {}", base.rays, own.rays);
     let common = own.common.as_ref().unwrap();
@@ -110,9 +115,9 @@ fn a_ratio_is_that_of_rays_that_both_traced() {
 
 #[test]
 fn the_base_traces_the_rays_of_slower_ones_too() {
-    let slow = Structure::new::<Slow<500>, Exhaustive>("slow", "half a millisecond a ray");
-    let outcome = run(&short_plan(8.0), &[named("bvh"), slow], &Silent).unwrap();
-    let scene = &outcome.comparison.scenes[0];
+    let slow = Structure::new::<Slow<2_000>, Exhaustive>("slow", "two milliseconds a ray");
+    let result = run(&view_plan(), &[named("bvh"), slow], &Silent).unwrap();
+    let scene = &result.comparison.scenes[0];
     let own = scene.structure("slow").unwrap().class(RayClass::View).unwrap();
     let common = own.common.as_ref().unwrap();
     assert_eq!((common.rays, &common.own), (own.rays, &own.rounds));
@@ -120,16 +125,16 @@ fn the_base_traces_the_rays_of_slower_ones_too() {
 }
 
 #[test]
-fn where_the_reference_has_time_for_few_rays_a_witness_answers_the_others() {
+fn where_the_reference_has_time_for_few_rays_a_witness_traces_the_others() {
     let none = Structure::new::<Slow<500>, Exhaustive>("none", "half a millisecond a ray");
     let lossy = Structure::new::<Forgetful, Forgetful>("lossy", "loses half of the primitives");
     let plan = Plan { classes: vec![], ..short_plan(20.0) };
     let structures = [none, lossy, named("bvh"), named("cwbvh")];
-    let outcome = run(&plan, &structures, &Silent).unwrap();
-    let proof = outcome.comparison.scenes[0].proof.as_ref().unwrap();
+    let result = run(&plan, &structures, &Silent).unwrap();
+    let proof = result.comparison.scenes[0].proof.as_ref().unwrap();
     assert_eq!((proof.reference.as_str(), proof.witness.as_deref()), ("none", Some("bvh")));
     let [lossy, bvh, cwbvh] = ["lossy", "bvh", "cwbvh"].map(|name| proof.structure(name).unwrap());
     assert!(bvh.holds() && bvh.rays_checked > 0, "{bvh:?}");
     assert!(cwbvh.holds() && cwbvh.rays_checked > 2 * bvh.rays_checked, "{cwbvh:?}");
-    assert!(lossy.differing_hits > 0 && !outcome.holds(), "{lossy:?}");
+    assert!(lossy.differing_hits > 0 && !result.holds(), "{lossy:?}");
 }

@@ -58,11 +58,9 @@ impl MeshKind {
         match self {
             Self::Icosphere => "a ball: a subdivided icosahedron, triangles of about one size",
             Self::TorusKnot => "a trefoil knot of a round tube, closed and smooth",
-            Self::Terrain => {
-                "a square of land, displaced by fractal noise (the seed selects which)"
-            }
+            Self::Terrain => "a square of land, displaced by fractal noise (chosen by the seed)",
             Self::Hall => "a columned hall: a few huge triangles, the others fine",
-            Self::Soup => "random triangles in a cube (the seed selects which), none connected",
+            Self::Soup => "random triangles in a cube (chosen by the seed), none connected",
         }
     }
 

@@ -9,7 +9,7 @@ use crate::image_io::UnknownFormat;
 /// Why a result cannot be written.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum OutputError {
-    /// The folder of a file to be does not exist.
+    /// The folder of a new file does not exist.
     #[error("cannot write `{}`: there is no folder `{}`", path.display(), folder.display())]
     NoFolder {
         /// As typed.
@@ -24,7 +24,7 @@ pub(crate) enum OutputError {
         path: PathBuf,
     },
     /// The extension is that of no format.
-    #[error("cannot write `{}`: {source}; --format names one too", path.display())]
+    #[error("cannot write `{}`: {source}; or choose a format with --format", path.display())]
     UnknownFormat {
         /// As typed.
         path: PathBuf,
@@ -36,10 +36,10 @@ pub(crate) enum OutputError {
         "a picture does not print well on a terminal: redirect standard output, or name a file"
     )]
     Terminal,
-    /// The reader of a pipe went away.
-    #[error("the reader went away")]
+    /// The reader of a pipe closed it.
+    #[error("the reader closed the pipe")]
     BrokenPipe,
-    /// What the system says.
+    /// The system's error.
     #[error("cannot write {}: {source}", named(path))]
     Io {
         /// As typed.
@@ -58,7 +58,7 @@ fn named(path: &Path) -> String {
 }
 
 impl OutputError {
-    /// What the system said about a path, as typed.
+    /// The system's error about a path, as typed.
     pub(super) fn io(path: &Path, source: io::Error) -> Self {
         match source.kind() {
             io::ErrorKind::BrokenPipe => Self::BrokenPipe,

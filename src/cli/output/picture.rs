@@ -3,19 +3,21 @@
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
-use super::{Output, OutputError};
+use super::error::OutputError;
+use super::target::{Target, resolve};
+use super::writer::Output;
 use crate::image_io::Format;
 
-/// What standard output, pipes and devices get where neither extension nor option says otherwise:
-/// the format that needs no seeking and that every tool of the trade reads from a pipe.
+/// The format for standard output, pipes and devices if neither extension nor option names one: it
+/// needs no seeking, and all common tools read it from a pipe.
 const STREAM_FORMAT: Format = Format::Ppm;
 
-/// Checks where a picture shall go and in which format; `format` counts more than the extension.
+/// Checks where a picture shall go and in which format; `format` takes precedence over the extension.
 pub(crate) fn prepare_picture(
     path: &Path,
     format: Option<Format>,
 ) -> Result<(Output, Format), OutputError> {
-    // The name is judged before the place: a wrong extension is wrong everywhere, and to open a
+    // The name is checked before the place: a wrong extension is wrong everywhere, and opening a
     // pipe may wait for its reader.
     let named = format.map_or_else(|| Format::from_path(path), Ok);
     let format = match named {
@@ -30,10 +32,9 @@ pub(crate) fn prepare_picture(
     Ok((output, format))
 }
 
-/// Whether a path is no regular file, nor would become one. A folder counts as one here: that it
-/// is a folder is the better message.
+/// Whether a path is no regular file, nor would become one. A folder counts as a stream here, because
+/// its own error is the better message.
 fn is_stream(path: &Path) -> bool {
-    use super::target::{Target, resolve};
     match resolve(path) {
         Ok(Target::File(_)) => false,
         Ok(Target::Stdout | Target::Stream) | Err(_) => true,

@@ -18,7 +18,7 @@ pub(super) fn check(path: &Path) -> io::Result<()> {
         Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
         Ok(_) | Err(_) => {}
     }
-    // Only to make one tells whether one can be made: permissions are not all that may forbid it.
+    // Only creating one shows whether that is possible: permissions are not all that may forbid it.
     create_beside(path).map(drop)
 }
 
@@ -44,7 +44,7 @@ pub(crate) fn abandon_and_exit(code: i32) -> ! {
     std::process::exit(code)
 }
 
-/// A temporary file that a second Ctrl-C knows of. It is removed when dropped.
+/// A temporary file that a second Ctrl-C removes too. It is removed when dropped.
 struct Unfinished {
     temporary: NamedTempFile,
 }
@@ -78,18 +78,18 @@ fn create_beside(path: &Path) -> io::Result<NamedTempFile> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        // What any program's new file gets; the process's umask takes its part of it away.
+        // The mode of any program's new file; the system subtracts the process's umask.
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(folder_of(path)).map_err(without_path)
 }
 
-/// tempfile's errors name the temporary file, which says nothing to whoever typed another name. What
-/// the system said stands before that name, and is to be had as text alone.
+/// tempfile's errors name the temporary file, which nobody typed. The system's own error stands before
+/// that name, and is available as text alone.
 fn without_path(error: io::Error) -> io::Error {
     let text = error.to_string();
     match text.rsplit_once(" at path ") {
-        Some((said, _)) => io::Error::new(error.kind(), said),
+        Some((own, _)) => io::Error::new(error.kind(), own),
         None => error,
     }
 }
@@ -99,8 +99,8 @@ fn keep_permissions(file: &File, replaced: &fs::Metadata) -> io::Result<()> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::{MetadataExt, fchown};
-        // Refused to all but root, who alone replaces other users' files often. First the owner:
-        // a change of it may take permissions away.
+        // Only root may do this, and only root often replaces files of other users. The owner comes
+        // first, because a change of it may remove permissions.
         let _ = fchown(file, Some(replaced.uid()), Some(replaced.gid()));
     }
     file.set_permissions(replaced.permissions())

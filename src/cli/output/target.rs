@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::OutputError;
+use super::error::OutputError;
 
 /// What a path leads to.
 #[derive(Debug, PartialEq, Eq)]
@@ -13,11 +13,11 @@ pub(super) enum Target {
     Stdout,
     /// A pipe, a device, or an open file of this process: written to, never replaced.
     Stream,
-    /// A regular file, there or not, behind all symbolic links. Its folder exists.
+    /// A regular file, which may not exist yet, behind all symbolic links. Its folder exists.
     File(PathBuf),
 }
 
-/// Links to follow before they are taken for a ring; the kernel's own limit.
+/// So many links are followed, as in the kernel; more are taken for a circle.
 const MOST_LINKS: usize = 40;
 
 /// Finds out where a path leads. `./-` is a file named `-`.
@@ -49,7 +49,7 @@ pub(super) fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// A file that is not there yet needs a folder that is, and a name.
+/// A file that does not exist yet needs a folder that does, and a name.
 fn new_file(typed: &Path, end: PathBuf) -> Result<Target, OutputError> {
     let folder = folder_of(&end);
     if !folder.is_dir() {
@@ -62,8 +62,8 @@ fn new_file(typed: &Path, end: PathBuf) -> Result<Target, OutputError> {
     Ok(Target::File(end))
 }
 
-/// Follows symbolic links by hand, since the last one may lead to a file that is not there yet,
-/// and stops at the system's names of open files: behind those lies what must not be replaced.
+/// Follows symbolic links one by one, because the last one may lead to a file that does not exist yet.
+/// Stops at the system's names of open files, because the files behind them must not be replaced.
 fn follow_links(path: &Path) -> io::Result<PathBuf> {
     let mut path = path.to_owned();
     for _ in 0..MOST_LINKS {

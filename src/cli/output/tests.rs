@@ -1,6 +1,8 @@
 //! Outputs of every kind.
 
 use std::fs;
+use std::io;
+use std::path::Path;
 
 use super::*;
 use crate::image_io::Format;
@@ -62,9 +64,9 @@ fn folders_are_refused() {
 }
 
 #[test]
-fn the_format_goes_by_the_extension_unless_told() {
+fn the_extension_decides_the_format_unless_one_is_given() {
     let folder = tempfile::tempdir().unwrap();
-    let format = |name: &str, told| prepare_picture(&folder.path().join(name), told).map(|p| p.1);
+    let format = |name: &str, given| prepare_picture(&folder.path().join(name), given).map(|p| p.1);
     assert_eq!(format("a.PNG", None).unwrap(), Format::Png);
     assert_eq!(format("a.png", Some(Format::Tga)).unwrap(), Format::Tga);
     assert_eq!(format("a.jpg", Some(Format::Exr)).unwrap(), Format::Exr);

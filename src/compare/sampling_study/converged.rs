@@ -1,8 +1,8 @@
-//! What a scene looks like with so many samples that next to no noise is left.
+//! A converged picture: a scene with so many samples that hardly any noise is left.
 //!
-//! The mean of renderings with random numbers of their own. Light samples are independent, so
-//! neither method is compared with itself. How far the renderings differ among themselves tells
-//! the noise that their mean still has.
+//! It is the mean of renderings with random numbers of their own. Their light samples are
+//! independent, so neither method is compared with itself. The differences among the renderings
+//! give the noise of their mean.
 
 use glam::DVec3;
 
@@ -10,11 +10,11 @@ use crate::accel::Tracer;
 use crate::image_io::Picture;
 use crate::math::hash_u64;
 use crate::record::ConvergedPicture;
-use crate::render::{Image, Sampling, Settings};
+use crate::render::{Sampling, Settings};
 
-use crate::compare::Stage;
 use crate::compare::budget::Budget;
-use crate::compare::pictures::render_with;
+use crate::compare::context::SceneContext;
+use crate::compare::render_picture::{colors, render_until};
 
 /// View samples along each side of a pixel.
 const SIDE: u32 = 8;
@@ -22,13 +22,13 @@ const SIDE: u32 = 8;
 /// Light samples along each side of a light, for each view sample.
 const LIGHT_SIDE: u32 = 2;
 
-/// Renderings at least: two that differ tell their noise, four tell it well enough.
+/// Renderings at least: two give an estimate of the noise, four a good enough one.
 const FEWEST_PASSES: u32 = 4;
 
 /// Renderings at most: their mean has a hundredth of the variance of one.
 const MOST_PASSES: u32 = 100;
 
-/// Keeps its random numbers apart from those of the frames, which count up from the seed.
+/// Makes its random numbers others than those of the frames, which count up from the seed.
 const STREAM: u64 = 0x636F_6E76_6572_6765;
 
 /// The mean of the renderings.
@@ -44,10 +44,10 @@ impl Converged {
     }
 }
 
-/// Renders on all threads while the budget lasts; `None` if it is stopped before there are enough
+/// Renders on all threads while the budget lasts; `None` if it is cancelled before there are enough
 /// renderings.
 pub(super) fn render(
-    stage: &Stage<'_>,
+    context: &SceneContext<'_>,
     tracer: &dyn Tracer,
     frame: &Settings,
     budget: Budget,
@@ -64,12 +64,10 @@ pub(super) fn render(
             seed: hash_u64(frame.seed ^ STREAM).wrapping_add(u64::from(pass)),
             ..frame.clone()
         };
-        let work = || render_with(stage.scene, tracer, &settings, stage.cancelled);
-        let rendering = stage.pools.all.install(work);
-        match rendering.image {
-            Image::Color(picture) if rendering.complete => sums.add(&picture),
-            _ => break,
-        }
+        let work = || render_until(context.cancelled, context.scene, tracer, &settings);
+        let rendering = context.pools.all.install(work);
+        let Some(picture) = colors(rendering.image).filter(|_| rendering.complete) else { break };
+        sums.add(&picture);
     }
     (sums.count >= FEWEST_PASSES).then(|| Converged {
         record: ConvergedPicture {

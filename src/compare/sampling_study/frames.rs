@@ -1,4 +1,4 @@
-//! Small frames with either method and growing numbers of samples: their time and their noise.
+//! Small frames with either method of sampling and growing numbers of samples: time and noise.
 
 use std::time::Duration;
 
@@ -6,15 +6,15 @@ use glam::DVec3;
 
 use crate::accel::Tracer;
 use crate::record::{FramePart, NoisePoint};
-use crate::render::{Image, RayClass, Rendering, Sampling, Settings};
+use crate::render::{RayClass, Rendering, Sampling, Settings};
 use crate::scene::{Light, Scene};
 
-use crate::compare::Stage;
 use crate::compare::budget::Budget;
 use crate::compare::clock::timed;
-use crate::compare::pictures::render_with;
-use crate::compare::plan::fit;
-use crate::compare::rounds::{Repeat, interleaved};
+use crate::compare::context::SceneContext;
+use crate::compare::picture_size::fit;
+use crate::compare::render_picture::{colors, render_until};
+use crate::compare::rounds::interleaved;
 
 use super::converged::rmse;
 use super::operations::{self, Operation};
@@ -32,28 +32,32 @@ const ROUNDS: u32 = 8;
 /// The share of a scene's time that these rounds may take.
 const SHARE_OF_ROUNDS: f64 = 0.5;
 
-/// A method with a number of samples, and what its frames took and showed.
+/// A method with a number of samples, and the time and the noise of its frames.
 pub(super) struct Frames {
     settings: Settings,
     /// Time in nanoseconds and noise of each frame.
     rounds: Vec<(u64, f64)>,
-    /// What its light samples were asked for: surfaces that were hit.
+    /// Surfaces that were hit in the last frame: each takes samples of every area light.
     surfaces: u64,
 }
 
-/// The size of a scene's frames, by what a small one takes; `None` if it is stopped.
-pub(super) fn settings(stage: &Stage<'_>, tracer: &dyn Tracer, budget: Budget) -> Option<Settings> {
-    let picture = stage.plan.picture.settings(stage.scene);
+/// The size of a scene's frames, by what a small one takes; `None` if it is cancelled.
+pub(super) fn settings(
+    context: &SceneContext<'_>,
+    tracer: &dyn Tracer,
+    budget: Budget,
+) -> Option<Settings> {
+    let picture = context.picture_settings();
     let sized = |side: u32| {
         let [width, height] = fit([picture.width, picture.height], side);
         Settings { width, height, crop: None, count: false, ..picture.clone() }
     };
-    let probe = Settings { aa: 2, ..sized(SMALLEST) };
+    let trial = Settings { aa: 2, ..sized(SMALLEST) };
     let time = (0..2)
-        .map(|_| render(stage, tracer, &probe).map(|rendering| rendering.stats.time))
+        .map(|_| render(context, tracer, &trial).map(|rendering| rendering.stats.time))
         .try_fold(Duration::MAX, |least, time| Some(least.min(time?)))?;
     let views = |settings: &Settings| f64::from(settings.width) * f64::from(settings.height);
-    let sample = time.as_secs_f64() / (views(&probe) * f64::from(probe.samples_per_pixel()));
+    let sample = time.as_secs_f64() / (views(&trial) * f64::from(trial.samples_per_pixel()));
     let samples = 2 * ROUNDS * SIDES.iter().map(|side| side * side).sum::<u32>();
     let pixels = SHARE_OF_ROUNDS * budget.left().as_secs_f64() / (f64::from(samples) * sample);
     let largest = sized(LARGEST);
@@ -64,7 +68,7 @@ pub(super) fn settings(stage: &Stage<'_>, tracer: &dyn Tracer, budget: Budget) -
 
 /// Renders frames of both methods in interleaved rounds; without those that have no whole frame.
 pub(super) fn measure(
-    stage: &Stage<'_>,
+    context: &SceneContext<'_>,
     tracer: &dyn Tracer,
     settings: &Settings,
     converged: &[DVec3],
@@ -76,34 +80,37 @@ pub(super) fn measure(
         surfaces: 0,
     };
     let each = |sampling| SIDES.map(|side| (sampling, side));
-    let mut lanes: Vec<Frames> = Sampling::ALL.into_iter().flat_map(each).map(with).collect();
-    let repeat = Repeat { rule: &stage.plan.rounds, budget, cancelled: &|| (stage.cancelled)() };
-    let rounds = interleaved(lanes.len(), &repeat, |lane| {
-        let settings = &mut lanes[lane].settings;
+    let mut tasks: Vec<Frames> = Sampling::ALL.into_iter().flat_map(each).map(with).collect();
+    let rounds = interleaved(tasks.len(), &context.rounds(budget), |task| {
+        let settings = &mut tasks[task].settings;
         // The same random numbers for all that run beside each other, others in each round.
         settings.seed = settings.seed.wrapping_add(1);
-        let (rendering, round) = timed(|| render(stage, tracer, settings));
+        let (rendering, round) = timed(|| render(context, tracer, settings));
         let rendering = rendering?;
-        lanes[lane].surfaces = surfaces(&rendering);
-        let Image::Color(picture) = &rendering.image else { return None };
+        tasks[task].surfaces = surfaces(&rendering);
+        let picture = colors(rendering.image)?;
         // A frame of milliseconds that another program interrupts would seem many times as long.
         let time = round.cpu_ns.unwrap_or(round.wall_ns);
-        Some(((time, rmse(picture, converged)), time))
+        Some(((time, rmse(&picture, converged)), time))
     });
-    for (lane, rounds) in lanes.iter_mut().zip(rounds) {
-        lane.rounds = rounds;
+    for (task, rounds) in tasks.iter_mut().zip(rounds) {
+        task.rounds = rounds;
     }
-    lanes.retain(|lane| !lane.rounds.is_empty());
-    lanes
+    tasks.retain(|task| !task.rounds.is_empty());
+    tasks
 }
 
 /// A whole frame on one thread.
-fn render(stage: &Stage<'_>, tracer: &dyn Tracer, settings: &Settings) -> Option<Rendering> {
-    let work = || render_with(stage.scene, tracer, settings, stage.cancelled);
-    Some(stage.pools.one.install(work)).filter(|rendering| rendering.complete)
+fn render(
+    context: &SceneContext<'_>,
+    tracer: &dyn Tracer,
+    settings: &Settings,
+) -> Option<Rendering> {
+    let work = || render_until(context.cancelled, context.scene, tracer, settings);
+    Some(context.pools.one.install(work)).filter(|rendering| rendering.complete)
 }
 
-/// Each of them asks for the samples of every area light.
+/// How many surfaces were shaded.
 fn surfaces(rendering: &Rendering) -> u64 {
     let classes = [RayClass::View, RayClass::Mirror, RayClass::Refraction];
     classes.iter().map(|&class| rendering.stats.class(class).hits).sum()

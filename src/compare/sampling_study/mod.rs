@@ -1,10 +1,10 @@
-//! The course's own question: what does a random number cost, what does shuffling cost, what share
-//! of a frame is either, and how much noise does each method of sampling leave?
+//! A study of sampling: what does a random number cost, what does shuffling cost, what share of a
+//! frame is either, and how much noise does each method of sampling leave?
 //!
 //! Costs are timed in batches (`operations.rs`). Noise is that of small frames against a converged
 //! picture (`frames.rs`, `converged.rs`). The frames are timed too, on one thread as the batches
-//! are, and what they ask of the random numbers is counted. Everything that is timed runs in
-//! interleaved rounds; the frames are traced with one structure.
+//! are, and their uses of random numbers are counted. Everything that is timed runs in interleaved
+//! rounds; the frames are traced with one structure.
 
 mod converged;
 mod frames;
@@ -15,12 +15,12 @@ use crate::record::SamplingChapter;
 use crate::render::Sampling;
 use crate::scene::{Light, Scene, structure_named};
 
-use super::Pools;
 use super::budget::Budget;
+use super::context::SceneContext;
 use super::plan::{Plan, SceneInput};
-use super::progress::Progress;
+use super::pools::Pools;
+use super::progress::PartProgress;
 use super::rounds::Repeat;
-use super::scene::Stage;
 
 /// The structure of all frames.
 const STRUCTURE: &str = "bvh";
@@ -31,7 +31,7 @@ const SHARE_OF_COSTS: f64 = 0.1;
 /// A scene's converged picture takes this share of the scene's time.
 const SHARE_OF_CONVERGED: f64 = 0.35;
 
-/// What came of the study.
+/// What the study measured.
 pub(super) struct Study {
     pub(super) chapter: SamplingChapter,
     /// What a reader should know of it.
@@ -43,7 +43,7 @@ pub(super) fn sampling_study(
     plan: &Plan,
     pools: &Pools,
     budget: Budget,
-    progress: &Progress<'_>,
+    progress: &PartProgress<'_>,
 ) -> Study {
     let default = Sampling::default().name().to_owned();
     let mut study = Study {
@@ -52,11 +52,7 @@ pub(super) fn sampling_study(
     };
     progress.step("sampling: timing random numbers", budget);
     let cancelled = || progress.cancelled();
-    let repeat = Repeat {
-        rule: &plan.rounds,
-        budget: budget.share(SHARE_OF_COSTS),
-        cancelled: &|| cancelled(),
-    };
+    let repeat = Repeat::new(plan.rounds.clone(), budget.share(SHARE_OF_COSTS), &cancelled);
     study.chapter.costs = operations::measure(plan.picture.light_samples, &repeat);
     let (lit, unlit): (Vec<_>, Vec<_>) =
         plan.scenes.iter().partition(|input| has_area_light(&input.scene));
@@ -66,9 +62,10 @@ pub(super) fn sampling_study(
             break;
         }
         progress.step(&format!("{}: sampling", input.name), budget);
-        let stage = Stage { scene: &input.scene, plan, pools, base: "", cancelled: &cancelled };
+        let scene = &input.scene;
+        let context = SceneContext { scene, plan, pools, base: "", cancelled: &cancelled };
         let share = budget.share(1.0 / (lit.len() - done) as f64);
-        study_scene(&input.name, &stage, share, &mut study.chapter);
+        study_scene(&input.name, &context, share, &mut study.chapter);
     }
     study
 }
@@ -88,17 +85,24 @@ fn note_left_out(unlit: &[&SceneInput]) -> Option<String> {
     })
 }
 
-/// Adds what one scene shows to the chapter; nothing if it is stopped before there is a frame.
-fn study_scene(name: &str, stage: &Stage<'_>, budget: Budget, chapter: &mut SamplingChapter) {
+/// Adds the measurements of one scene to the chapter; nothing if it is cancelled before there is a
+/// frame.
+fn study_scene(
+    name: &str,
+    context: &SceneContext<'_>,
+    budget: Budget,
+    chapter: &mut SamplingChapter,
+) {
     let Some(structure) = structure_named(STRUCTURE) else { return };
-    let world = stage.pools.all.install(|| structure.build(stage.scene, &BuildConfig::default()));
-    let Some(settings) = frames::settings(stage, &*world, budget) else { return };
+    let build = || structure.build(context.scene, &BuildConfig::default());
+    let world = context.pools.all.install(build);
+    let Some(settings) = frames::settings(context, &*world, budget) else { return };
     let share = budget.share(SHARE_OF_CONVERGED);
-    let Some(converged) = converged::render(stage, &*world, &settings, share) else { return };
-    let measured = frames::measure(stage, &*world, &settings, &converged.picture, budget);
+    let Some(converged) = converged::render(context, &*world, &settings, share) else { return };
+    let measured = frames::measure(context, &*world, &settings, &converged.picture, budget);
     chapter.converged.push(converged.record(name));
     for frame in measured {
-        chapter.parts.extend(frame.parts(name, stage.scene));
+        chapter.parts.extend(frame.parts(name, context.scene));
         chapter.noise.extend(frame.point(name));
     }
 }

@@ -10,7 +10,7 @@ use crate::compare::clock::timed;
 use crate::compare::rounds::{Repeat, interleaved};
 
 /// View samples along each side of the pixels whose samples are timed, and of the frames whose
-/// shares are told: the sixteen samples of a pixel that the course asks for.
+/// shares are computed: sixteen samples a pixel.
 pub(super) const SIDE: u32 = 4;
 
 /// Pixels whose orders are made beforehand: as many as a tile of the renderer has.
@@ -66,8 +66,8 @@ impl Operation {
 /// Times batches of all operations, on the current thread.
 pub(super) fn measure(light_side: u32, repeat: &Repeat<'_>) -> Vec<OperationCost> {
     let bench = Bench::new(light_side);
-    let rounds = interleaved(Operation::ALL.len(), repeat, |lane| {
-        let operation = Operation::ALL[lane];
+    let rounds = interleaved(Operation::ALL.len(), repeat, |task| {
+        let operation = Operation::ALL[task];
         let ((), round) = timed(|| bench.run(operation));
         // A batch is so short that one interruption would be most of it.
         let time = round.cpu_ns.unwrap_or(round.wall_ns);
@@ -164,7 +164,7 @@ mod tests {
     fn every_operation_takes_some_time() {
         let rule = RoundRule { warmup: 0, at_least: 2, relative_interval: 1.0 };
         let budget = Budget::from_now(Some(Duration::ZERO));
-        let costs = measure(2, &Repeat { rule: &rule, budget, cancelled: &|| false });
+        let costs = measure(2, &Repeat::new(rule, budget, &|| false));
         assert_eq!(costs.len(), 6);
         for cost in costs {
             assert_eq!(cost.rounds_ns.len(), 1, "{}", cost.operation);

@@ -27,34 +27,40 @@ use crate::analysis::statistics::INTERVAL_ROUNDS;
 use crate::record::Estimate;
 
 /// A table with a title.
-pub(super) struct Table {
+#[derive(Clone, Debug)]
+pub struct Table {
     /// The title.
-    pub(super) title: String,
+    pub title: String,
     /// How to read it; may be empty.
-    pub(super) note: String,
+    pub note: String,
     /// The columns.
-    pub(super) columns: Vec<Column>,
+    pub columns: Vec<Column>,
     /// The rows, each with a cell for each column.
-    pub(super) rows: Vec<Vec<Cell>>,
+    pub rows: Vec<Vec<Cell>>,
 }
 
 /// A column's heading, and whether its cells are numbers.
-pub(super) struct Column {
-    pub(super) head: String,
-    pub(super) numeric: bool,
+#[derive(Clone, Debug)]
+pub struct Column {
+    /// The heading.
+    pub head: String,
+    /// Whether the cells are numbers, which are aligned to the right.
+    pub numeric: bool,
 }
 
 /// The content of a cell.
-pub(super) struct Cell {
+#[derive(Clone, Debug)]
+pub struct Cell {
     /// The text or number.
-    pub(super) text: String,
+    pub text: String,
     /// The 95 % interval of the number.
-    pub(super) spread: Option<String>,
+    pub spread: Option<String>,
 }
 
 impl Table {
     /// A table without rows. Columns whose heading starts with `#` hold numbers.
-    fn new(title: impl Into<String>, note: impl Into<String>, heads: &[&str]) -> Self {
+    #[must_use]
+    pub fn new(title: impl Into<String>, note: impl Into<String>, heads: &[&str]) -> Self {
         let column = |head: &&str| {
             let number = head.strip_prefix('#');
             Column { head: number.unwrap_or(head).to_owned(), numeric: number.is_some() }
@@ -70,7 +76,9 @@ fn too_few(estimate: Estimate) -> Option<String> {
 }
 
 impl Cell {
-    fn text(text: impl Into<String>) -> Self {
+    /// A text, or a number that has its digits already.
+    #[must_use]
+    pub fn text(text: impl Into<String>) -> Self {
         Self { text: text.into(), spread: None }
     }
 

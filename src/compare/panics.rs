@@ -1,11 +1,11 @@
-//! A structure that panics is a row of the report that says so, and no crash.
+//! A structure that panics gets a row of the report with the panic's message; the program goes on.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Runs a part of a structure's work; a panic becomes its message.
 ///
-/// What the work was changing is thrown away by all callers, so nothing half-changed is seen.
-pub(crate) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+/// All callers drop what the work was changing, so half-changed state is never used.
+pub(crate) fn catch_panic<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|payload| {
         let text = payload
             .downcast_ref::<String>()
@@ -21,9 +21,9 @@ mod tests {
 
     #[test]
     fn panics_become_messages() {
-        assert_eq!(guarded(|| 7), Ok(7));
+        assert_eq!(catch_panic(|| 7), Ok(7));
         let number = 3;
-        let message = guarded(|| panic!("leaf {number} is lost")).unwrap_err();
+        let message = catch_panic(|| panic!("leaf {number} is lost")).unwrap_err();
         assert_eq!(message, "it panicked: leaf 3 is lost");
     }
 }

@@ -1,7 +1,6 @@
 //! What was rendered → the picture that is written: numbers become colours where the format holds
 //! bytes, and stay numbers where it holds floats.
 
-use super::units;
 use crate::image_io::{Format, Picture};
 use crate::math::Color;
 use crate::render::{Image, Scale, Spacing, View, heat_picture};
@@ -33,9 +32,9 @@ pub(crate) fn legend(view: View, scale: Scale) -> String {
         View::Depth => format!(
             "depth: black is {} of the scene's units away, the middle of the scale {} and pale \
              yellow {}, in steps of equal factors; grey is where nothing is seen",
-            units::figures(low),
-            units::figures(scale.middle()),
-            units::figures(high),
+            four_figures(low),
+            four_figures(scale.middle()),
+            four_figures(high),
         ),
         _ => format!(
             "{}: black is {low} and pale yellow {high} tests of boxes and primitives a pixel",
@@ -44,9 +43,29 @@ pub(crate) fn legend(view: View, scale: Scale) -> String {
     }
 }
 
+/// A number of any size with four figures: `3.756`, `1723`, `1.500e-5`.
+fn four_figures(value: f32) -> String {
+    match value.abs() {
+        v if v != 0.0 && !(1e-3..1e6).contains(&v) => format!("{value:.3e}"),
+        v if v < 10.0 => format!("{value:.3}"),
+        v if v < 1e3 => format!("{value:.1}"),
+        _ => format!("{value:.0}"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn four_figures_of_any_size() {
+        assert_eq!(four_figures(0.0), "0.000");
+        assert_eq!(four_figures(3.756_4), "3.756");
+        assert_eq!(four_figures(172.39), "172.4");
+        assert_eq!(four_figures(1_723.9), "1724");
+        assert_eq!(four_figures(1.5e-5), "1.500e-5");
+        assert_eq!(four_figures(2.5e7), "2.500e7");
+    }
 
     fn depths() -> Image {
         Image::Scalar { width: 2, height: 1, values: vec![3.5, f32::NAN] }

@@ -1,0 +1,108 @@
+//! The command's definition with the structures of this program, and what it reads from the command
+//! line of this process.
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, Command, CommandFactory, FromArgMatches};
+
+use super::args::{self, Arguments};
+use super::structures::Structures;
+
+/// The command, whose `--accel` takes these structures.
+pub(crate) fn command(structures: &Structures) -> Command {
+    let one = |arg: Arg| structures.explained_in(arg.value_parser(structures.parser()));
+    let list = |arg: Arg| structures.explained_in(arg.value_parser(structures.list_parser()));
+    Arguments::command()
+        .mut_arg("accel", one)
+        .mut_subcommand("compare", |compare| compare.mut_arg("accel", list))
+        .mut_subcommand("conformance", |check| check.mut_arg("accel", list))
+}
+
+/// The arguments of this process. Ends it where they are wrong, or for the help.
+pub(crate) fn arguments(structures: &Structures) -> Arguments {
+    let matches = command(structures).try_get_matches();
+    let read = matches.and_then(|mut matches| Arguments::from_arg_matches_mut(&mut matches));
+    let mut arguments = read.unwrap_or_else(|error| explained(structures, error).exit());
+    let named = match &mut arguments.command {
+        Some(args::Command::Compare(compare)) => Some(&mut compare.accel),
+        Some(args::Command::Conformance(check)) => Some(&mut check.accel),
+        _ => None,
+    };
+    if let Some(named) = named.filter(|named| named.is_empty()) {
+        *named = vec![structures.compared_by_default()];
+    }
+    arguments
+}
+
+/// An error of clap's in words that fit: after a scene and an output, it takes one word too many for
+/// the name of a subcommand.
+fn explained(structures: &Structures, error: clap::Error) -> clap::Error {
+    match error.get(ContextKind::InvalidSubcommand) {
+        Some(ContextValue::String(word)) => command(structures).error(
+            ErrorKind::UnknownArgument,
+            format_args!("unexpected argument `{word}`: a rendering takes a scene and an output"),
+        ),
+        _ => error,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::{Bvh, Exhaustive};
+    use crate::scene::Structure;
+
+    const MINE: Structure = Structure::new::<Exhaustive, Bvh>("mine", "one of one's own");
+
+    fn read(structures: &Structures, typed: &[&str]) -> Result<Arguments, String> {
+        let matches = command(structures).try_get_matches_from(typed);
+        let read = matches.and_then(|mut matches| Arguments::from_arg_matches_mut(&mut matches));
+        read.map_err(|error| error.to_string())
+    }
+
+    fn compared(list: &str) -> Result<Vec<&'static str>, String> {
+        let structures = Structures::with(&[MINE]).unwrap();
+        let read = read(&structures, &["srt", "compare", "a.sce", "--accel", list])?;
+        let Some(args::Command::Compare(compare)) = read.command else { panic!("{read:?}") };
+        Ok(compare.structures().iter().map(|one| one.name).collect())
+    }
+
+    #[test]
+    fn what_is_added_can_be_named_wherever_the_librarys_can() {
+        let structures = Structures::with(&[MINE]).unwrap();
+        let named = |typed: &[&str]| read(&structures, typed).unwrap().render.accel.name;
+        assert_eq!(named(&["srt", "a.sce", "a.png", "--accel", "mine"]), "mine");
+        assert_eq!(named(&["srt", "a.sce", "a.png", "--accel", "mine:leaf=4"]), "mine:leaf=4");
+        assert_eq!(named(&["srt", "a.sce", "a.png"]), "bvh8");
+        assert_eq!(compared("none,mine").unwrap(), ["none", "mine"]);
+        let help = command(&structures).render_long_help().to_string();
+        assert!(help.contains("mine") && help.contains("one of one's own"), "{help}");
+        assert!(help.contains("mine:leaf=1..") && help.contains("bvh8:builder=sah|ploc"), "{help}");
+    }
+
+    #[test]
+    fn options_in_a_list_belong_to_the_structure_before_them() {
+        assert_eq!(
+            compared("none,bvh8:leaf=4,builder=ploc,bvh,bvh8,cwbvh:leaf=2,mine:leaf=3").unwrap(),
+            ["none", "bvh8:builder=ploc,leaf=4", "bvh", "bvh8", "cwbvh:leaf=2", "mine:leaf=3"]
+        );
+        assert_eq!(compared("bvh,leaf=2,none").unwrap(), ["bvh:leaf=2", "none"]);
+    }
+
+    #[test]
+    fn what_is_wrong_is_said_with_what_would_be_right() {
+        let error = |list: &str| compared(list).unwrap_err();
+        for (list, parts) in [
+            ("none,bhv:leaf=4", &["'bhv'", "none", "cwbvh"][..]),
+            ("bvh8:builer=sah", &["`builer`", "did you mean `builder`?", "`leaf`"]),
+            ("bvh8:builder=plco", &["`plco`", "`sah`, `ploc`", "did you mean `ploc`?"]),
+            ("none,bvh8:leaf=9,bvh", &["'bvh8:leaf=9'", "`9`", "a whole number from 1 to 8"]),
+            ("bvh8:leaf", &["`leaf` is not an option with its value"]),
+            ("none:leaf=1", &["no option `leaf`", "has none"]),
+            ("bvh8:leaf=1,leaf=2", &["`leaf` is given twice"]),
+            ("", &["a value is required", "none"]),
+        ] {
+            let text = error(list);
+            assert!(parts.iter().all(|part| text.contains(part)), "{list}: {text}");
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! What all measurements in a scene share. Knows nothing of the steps that make them.
+
+use crate::render::Settings;
+use crate::scene::{Scene, Structure};
+
+use super::budget::Budget;
+use super::plan::Plan;
+use super::pools::Pools;
+use super::rounds::Repeat;
+
+/// A scene, and how it is measured.
+#[derive(Clone, Copy)]
+pub(super) struct SceneContext<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) plan: &'a Plan,
+    pub(super) pools: &'a Pools,
+    /// The structure that ratios are taken to, where it was measured.
+    pub(super) base: &'a str,
+    pub(super) cancelled: &'a (dyn Fn() -> bool + Sync),
+}
+
+impl<'a> SceneContext<'a> {
+    /// The settings of the scene's picture.
+    pub(super) fn picture_settings(&self) -> Settings {
+        self.plan.picture.settings(self.scene)
+    }
+
+    /// Rounds by the plan's rule.
+    pub(super) fn rounds(&self, budget: Budget) -> Repeat<'a> {
+        Repeat::new(self.plan.rounds.clone(), budget, self.cancelled)
+    }
+
+    /// Rounds by the plan's rule, without those that warm up: for work that was done before.
+    pub(super) fn rounds_after_warmup(&self, budget: Budget) -> Repeat<'a> {
+        let mut repeat = self.rounds(budget);
+        repeat.rule.warmup = 0;
+        repeat
+    }
+}
+
+/// The structure that ratios are taken to: `none` if it is among them, else the first.
+pub(super) fn base_name(structures: &[Structure]) -> &'static str {
+    let none = structures.iter().find(|structure| structure.name == "none");
+    none.or(structures.first()).map_or("", |base| base.name)
+}
