@@ -39,8 +39,8 @@ impl Quality {
 
     /// obvhs's parameters.
     ///
-    /// Pre-splits are off in all of them: a split puts a primitive into boxes smaller than its
-    /// own, and a hit that its own box accepts could then be pruned. That would break equal hits.
+    /// Pre-splits are off in all of them: the boxes of the parts of a triangle do not cover its own
+    /// box, and a hit that its own box accepts could then be pruned. That would break equal hits.
     pub(super) fn parameters(self) -> BvhBuildParams {
         let preset = match self {
             Self::Fastest => BvhBuildParams::fastest_build(),

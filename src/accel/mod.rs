@@ -68,8 +68,8 @@ pub trait Bounded: Sync {
     /// A box around the part of one of them that lies within a box, for builders that split; empty
     /// where there is none. It lies within both boxes, and need not be the smallest.
     ///
-    /// Rays are not held to it: a structure whose boxes are these does not keep the contract of
-    /// [`Accel`], which is about the primitive's whole box.
+    /// A structure must not leave a primitive out by such boxes alone: they do not cover the
+    /// primitive's box, as the contract of [`Accel`] demands (`docs/splits.md`).
     fn clipped_bounds(&self, index: u32, to: &Aabb) -> Aabb {
         self.bounds(index).intersection(*to)
     }
@@ -95,6 +95,37 @@ pub trait Bounded: Sync {
 /// Primitives count a hit only inside the interval of their own box, and [`BoxRay::interval`] is
 /// monotone to the bit, so nothing that counts is ever left out, and every structure that keeps
 /// the contract returns the same hits as [`Exhaustive`].
+///
+/// # Cells
+/// A space partition, or a builder that splits boxes, refers to a primitive from several boxes of
+/// which none need hold all of it. It may leave such a box out by the box's own interval, if:
+///
+/// * the boxes that refer to a primitive cover the primitive's *box*. In a partition each closed cell
+///   that touches the closed box refers to it, not only those that the primitive itself touches;
+/// * the planes between cells are measured as [`BoxRay::interval`] measures them: `origin_plus` for
+///   the low side of a cell, `origin_minus` for its high side. Comparisons are inclusive;
+/// * nothing else ends the search. A hit found in a cell may lie behind the cell's end, and the next
+///   cell, whose interval begins before that, may have a nearer one, or a tie of a smaller id.
+///
+/// *Proof.* Along one axis let `inv_dir > 0`, and for a float `p` let `L(p) = (p − origin_plus) ·
+/// inv_dir` and `H(p) = (p − origin_minus) · inv_dir`, rounded as in [`BoxRay::interval`]. Rounding
+/// is monotone, so neither falls as `p` grows, and `L(p) ≤ H(p)`, as `origin_minus ≤ origin_plus`.
+/// The interval of a box `[low, high]` is `[L(low), H(high)]`: two cells that share the plane `p`
+/// overlap, as the one ends at `H(p)` and the other begins at `L(p)`.
+///
+/// Let `t` lie in the interval of the primitive's box `[a, b]`, so `L(a) ≤ t ≤ H(b)`. There is a
+/// point `x` of `[a, b]` such that `t` lies in the interval of *every* closed box that holds `x`:
+/// let `p` be the last float of `[a, b]` with `L(p) ≤ t`. If `t ≤ H(p)`, let `x = p`. Otherwise
+/// `p < b`, the float `q` after `p` has `t < L(q) ≤ H(q)`, and `x` is any point between `p` and `q`.
+/// A low side at or before `x` is not behind `p`, so its `L` is at most `L(p) ≤ t`. A high side at or
+/// behind `x` is not before `p` in the first case, nor before `q` in the second, so its `H` is at
+/// least `t`. Where `inv_dir < 0`, neither rises, `H(p) ≤ L(p)`, the interval is `[H(high), L(low)]`,
+/// and the same holds with the sides exchanged.
+///
+/// The `x` of the three axes are a point of the primitive's box. One of the boxes that cover it holds
+/// this point. Its interval contains `t`, and so do those of all boxes around it, so it is visited as
+/// long as the search does not end before `t`; and it refers to the primitive. How the boxes lie does
+/// not matter: this holds for trees and grids of cells, and for boxes that overlap.
 pub trait Accel: Sized + Send + Sync {
     /// The options that a build looks for in [`BuildConfig::options`], each of its own name.
     const OPTIONS: &'static [OptionInfo] = &[];
