@@ -40,7 +40,7 @@ pub struct StructureFigures {
     /// How many times as fast as the base is with build and rendering.
     pub picture_speedup: Option<Estimate>,
     /// Own time of the picture's mean ray in nanoseconds: the medians of the classes of
-    /// [`RayClass::RENDERED`](RayClass::RENDERED), weighted by their rays.
+    /// [`RayClass::RENDERED`], weighted by their rays.
     pub mean_ray_ns: Option<f64>,
     /// From how many of these rays on it is faster than the base, builds on all threads included; absent if one of
     /// these times has too few rounds for an interval.
