@@ -100,7 +100,7 @@ fn one_whose_hits_are_others_takes_no_part() {
     else {
         panic!("it is timed");
     };
-    assert!(message.starts_with("only ") && message.ends_with("of its answers agree"), "{message}");
+    assert!(message.starts_with("only ") && message.ends_with("of its results agree"), "{message}");
 }
 
 #[test]

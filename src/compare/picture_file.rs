@@ -12,8 +12,8 @@ pub(crate) fn picture_name(scene: &str) -> String {
     format!("{scene}.png")
 }
 
-/// The file of a structure's heatmap of a scene. The marks between a structure's options mean something else in addresses
-/// of pages; dots are in no name of a structure.
+/// The file of a structure's heatmap of a scene. The marks between a structure's options mean
+/// something else in addresses of pages; dots are in no name of a structure.
 pub(crate) fn heatmap_name(scene: &str, structure: &str) -> String {
     format!("{scene}-heatmap-{}.png", structure.replace([':', ',', '='], "."))
 }

@@ -277,7 +277,7 @@ impl Answer {
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { meshes, rays, hits } = self;
-        write!(f, "{rays} rays at {meshes} meshes, {hits} of them hits: all answers are equal")
+        write!(f, "{rays} rays at {meshes} meshes, {hits} of them hits: all results are equal")
     }
 }
 

@@ -12,7 +12,7 @@ fn a_structure_that_gives_equal_hits_has_a_line_that_says_so() {
     let lines: Vec<&str> = stdout.lines().collect();
     assert!(lines[0].starts_with("ball: ") && lines[1].starts_with("bvh:builder=sah,leaf=20: "));
     for line in &lines {
-        assert!(line.contains(" rays at 6 meshes, ") && line.ends_with("all answers are equal"));
+        assert!(line.contains(" rays at 7 meshes, ") && line.ends_with("all results are equal"));
     }
     assert_eq!(lines.len(), 2, "{stdout}");
 }
