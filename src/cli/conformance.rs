@@ -107,7 +107,7 @@ mod tests {
         let losing = Structure::new::<Exhaustive, Wrong<false>>("losing", "loses a triangle");
         let (exit, text) = check(&losing, true);
         assert_eq!(exit, Exit::Negative);
-        assert!(text.starts_with("mesh `lattice` times 1e0"), "{text}");
+        assert!(text.starts_with("mesh `nested` times 1e0"), "{text}");
         assert!(text.contains("\n  expected Hit"), "{text}");
         let panicking = Structure::new::<Exhaustive, Wrong<true>>("panicking", "panics");
         assert_eq!(check(&panicking, true).1, "it panicked: out of luck");
