@@ -52,7 +52,7 @@ pub use none::Exhaustive;
 pub use options::{Allowed, BuildOptions, OptionError, OptionInfo};
 pub use order::Order;
 pub use packs::{NoPacks, PACK, PackHits, Packs};
-pub use query::{AllHits, Answers, AnyHit, ClosestHit, Filtered, Query, Search};
+pub use query::{AllHits, Answers, AnyHit, ClosestHit, Filtered, Query, QueryKind, Search};
 pub use save::{Decoder, Encoder, LoadError, Portable, PortablePrimitives, Slots};
 pub use scratch::Scratch;
 pub use shape::{LeafHistogram, StructureShape};

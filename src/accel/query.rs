@@ -249,6 +249,15 @@ impl<Q: Query, F: Fn(&Ray, &Hit) -> bool + Sync> Query for Filtered<'_, Q, F> {
     }
 }
 
+/// The queries that a program chooses between as it runs: those of [`Answers`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum QueryKind {
+    /// [`ClosestHit`].
+    ClosestHit,
+    /// [`AnyHit`].
+    AnyHit,
+}
+
 /// Memory for the answers of a slice of rays. Its kind is the query: one that is chosen as the program
 /// runs.
 #[derive(Debug)]

@@ -7,7 +7,7 @@
 use std::sync::Mutex;
 use std::sync::PoisonError;
 
-use crate::accel::{BuildConfig, Bvh, Tracer};
+use crate::accel::{BuildConfig, Bvh, QueryKind, Tracer};
 use crate::math::Ray;
 use crate::record::RayClass;
 use crate::render::{self, RenderStats, Settings, render};
@@ -25,15 +25,6 @@ const MOST_SAMPLES: u32 = 60_000;
 /// The structure that traces during a recording.
 const RECORDING_STRUCTURE: Structure = Structure::new::<Bvh, Bvh>("bvh", "obvhs's binary tree");
 
-/// What is to be found out about a ray.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Query {
-    /// The closest hit.
-    Closest,
-    /// Whether there is any hit.
-    Any,
-}
-
 /// The rays of a class.
 #[derive(Clone, Debug)]
 pub struct RaySet {
@@ -41,18 +32,18 @@ pub struct RaySet {
     pub class: RayClass,
     /// The rays, in the order in which a renderer sends them.
     pub rays: Vec<Ray>,
-    pub(super) query: Query,
+    pub(super) query: QueryKind,
 }
 
 impl RaySet {
     /// Rays whose query is the closest hit.
     pub(super) fn closest_hit(class: RayClass, rays: Vec<Ray>) -> Self {
-        Self { class, rays, query: Query::Closest }
+        Self { class, rays, query: QueryKind::ClosestHit }
     }
 
     /// Rays whose query is whether they hit anything.
     pub(super) fn any_hit(class: RayClass, rays: Vec<Ray>) -> Self {
-        Self { class, rays, query: Query::Any }
+        Self { class, rays, query: QueryKind::AnyHit }
     }
 
     /// At most `count` of its rays, evenly spread.

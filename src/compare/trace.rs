@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use crate::accel::{Answers, Scratch, Tracer};
+use crate::accel::{Answers, QueryKind, Scratch, Tracer};
 use crate::counters::Counts;
 use crate::math::{Hit, Ray};
 
-use super::record_rays::{Query, RaySet};
+use super::record_rays::RaySet;
 
 /// Rays in a call, as in a renderer's wave.
 const RAYS_PER_CALL: usize = 1024;
@@ -160,8 +160,8 @@ impl RaySet {
     #[must_use]
     pub fn results(&self) -> RayResults {
         match self.query {
-            Query::Closest => RayResults::ClosestHit(Vec::new()),
-            Query::Any => RayResults::AnyHit(Vec::new()),
+            QueryKind::ClosestHit => RayResults::ClosestHit(Vec::new()),
+            QueryKind::AnyHit => RayResults::AnyHit(Vec::new()),
         }
     }
 }

@@ -13,20 +13,10 @@ use crate::math::{Aabb, NONE};
 use crate::simd::ask_for_huge_pages;
 
 use super::node::{Child, Node, WIDTH};
-use super::plan::{Plan, pair};
+use super::plan::{Leaves, Plan, pair};
 
 /// Subtrees that are laid out in parallel.
 const SUBTREES: usize = 512;
-
-/// How primitives may be put into leaves.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Leaves {
-    /// The most primitives in a leaf, up to 8.
-    pub(super) most: u32,
-    /// Slots between the beginnings of two leaves: 8 where packs of eight are tested at once, 1
-    /// where primitives are tested one by one.
-    pub(super) block: usize,
-}
 
 /// A wide tree, or a part of one: its nodes, and the primitives in slots.
 #[derive(Default)]

@@ -1,18 +1,15 @@
 //! Many rays at once through primitives in packs: packets as long as rays are coherent, and waves.
 
-use crate::accel::{Packs, Primitives, Query, Scratch};
+use crate::accel::{Primitives, Query, Scratch};
 use crate::counters::Counters;
-use crate::math::{Padding, Ray};
-use crate::simd::{Kernel, Simd, dispatch, prefetch};
+use crate::math::Ray;
+use crate::simd::{Kernel, Simd, dispatch};
 
 use super::Bvh8;
 use super::diverged::Diverged;
-use super::node::Child;
 use super::packet::{self, Outcome};
+use super::task::Task;
 use super::wave;
-
-/// Bytes that a processor's caches hold, about.
-const CACHE: u64 = 1 << 25;
 
 /// Rays that are traced together: few enough to stay in a core's cache.
 const AT_ONCE: usize = 4096;
@@ -29,37 +26,6 @@ pub(super) fn search<P: Primitives, Q: Query, C: Counters>(
 ) {
     let task = Task::new(tree, query, primitives);
     scratch.lend(|memory, _| dispatch(Search { task, rays, answers, memory, counters }));
-}
-
-/// What is searched, and for what.
-pub(super) struct Task<'a, P: Primitives, Q> {
-    pub(super) tree: &'a Bvh8,
-    pub(super) query: &'a Q,
-    pub(super) primitives: &'a P,
-    pub(super) packs: &'a P::Packs,
-    pub(super) padding: Padding,
-    /// Whether nodes and packs do not fit into the caches, so that what rays are
-    /// about to read is prefetched.
-    pub(super) large: bool,
-}
-
-impl<'a, P: Primitives, Q: Query> Task<'a, P, Q> {
-    fn new(tree: &'a Bvh8, query: &'a Q, primitives: &'a P) -> Self {
-        let packs = primitives.packs();
-        let bytes = size_of_val(&tree.nodes[..]) as u64 + packs.bytes();
-        let padding = primitives.padding();
-        Self { tree, query, primitives, packs, padding, large: bytes > CACHE }
-    }
-
-    /// Prefetches what will be visited soon.
-    #[inline(always)]
-    pub(super) fn prefetch(&self, child: Child) {
-        if child.is_leaf() {
-            self.packs.prefetch(child.block());
-        } else {
-            prefetch(&self.tree.nodes[child.index()]);
-        }
-    }
 }
 
 /// The kernels' memory.

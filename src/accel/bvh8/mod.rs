@@ -17,6 +17,7 @@ mod plan;
 mod save;
 mod slab_ray;
 mod stream;
+mod task;
 mod wave;
 
 use std::ops::{ControlFlow, Range};
@@ -28,9 +29,9 @@ use crate::counters::Counters;
 use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, Ray};
 
-use self::collapse::{Leaves, collapse};
+use self::collapse::collapse;
 use self::node::{Child, FAR, Node, WIDTH, near_planes, order_shift};
-use self::plan::Plan;
+use self::plan::{Leaves, Plan};
 use self::slab_ray::Sides;
 use super::build::obvhs_boxes;
 use super::builder::Builder;

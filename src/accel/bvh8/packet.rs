@@ -15,9 +15,9 @@ use crate::simd::{Kernel, Row, Simd, dispatch};
 
 use super::HEIGHT;
 use super::diverged::Diverged;
-use super::kernels::Task;
 use super::node::{Child, FAR, Node, near_planes, order_shift};
 use super::slab_ray::{LARGEST_PRODUCT, SlabTerms};
+use super::task::Task;
 
 /// Rays of a packet.
 pub(super) const RAYS: usize = crate::simd::LANES;

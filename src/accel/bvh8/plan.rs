@@ -12,7 +12,6 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use obvhs::bvh2::Bvh2;
 
-use super::collapse::Leaves;
 use super::node::WIDTH;
 
 /// Visiting a node costs as much as testing a pack of eight primitives at once; ratios between 0.6
@@ -41,6 +40,16 @@ struct Choices(u32);
 const LEAF: u32 = 15;
 /// As many roots are no better than one less.
 const ONE_LESS: u32 = 0;
+
+/// How primitives may be put into leaves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leaves {
+    /// The most primitives in a leaf, up to 8.
+    pub(super) most: u32,
+    /// Slots between the beginnings of two leaves: 8 where packs of eight are tested at once, 1
+    /// where primitives are tested one by one.
+    pub(super) block: usize,
+}
 
 /// The cheapest replacements of a binary node.
 #[derive(Clone, Copy)]

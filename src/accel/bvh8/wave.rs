@@ -13,9 +13,9 @@ use crate::simd::{Row, Simd, splat3};
 
 use super::HEIGHT;
 use super::diverged::{Diverged, DivergedRay};
-use super::kernels::Task;
 use super::node::{Child, near_planes, order_shift};
 use super::slab_ray::SlabRay;
+use super::task::Task;
 
 /// Rays in flight.
 const RAYS: usize = 32;
