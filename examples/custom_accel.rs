@@ -1,4 +1,4 @@
-//! An acceleration structure of one's own, from outside the crate: a uniform grid (`grid/mod.rs`).
+//! An acceleration structure of your own, from outside the crate: a uniform grid (`grid/mod.rs`).
 //! It is held against no structure at all, bit for bit, by rays made to find differences, and
 //! measured beside the library's structures; if a hit differed, the ray that shows it would be
 //! printed.

@@ -1,4 +1,4 @@
-//! A space partition of one's own, from outside the crate: a kd-tree (`kd_tree/mod.rs`), checked
+//! A space partition of your own, from outside the crate: a kd-tree (`kd_tree/mod.rs`), checked
 //! against no structure at all, and measured beside the library's structures by the command:
 //!
 //! ```sh

@@ -1,4 +1,4 @@
-//! Primitives of one's own: strands of hair as capsules, which are segments with a radius. All
+//! Primitives of your own: strands of hair as capsules, which are segments with a radius. All
 //! structures of the library find them, and their hits are compared with those of no structure.
 //!
 //! `cargo run --release --no-default-features --example custom_primitives`

@@ -1,4 +1,4 @@
-//! The whole command `srt` with a structure of one's own beside the library's: `--accel grid`
+//! The whole command `srt` with a structure of your own beside the library's: `--accel grid`
 //! renders, draws heatmaps and is compared.
 //!
 //! `cargo run --release --example srt_with_grid -- compare scenes/normals.sce --accel none,bvh,grid`

@@ -1,7 +1,7 @@
 //! Ray tracing acceleration structures that return the same hits, bit for bit, and a ray tracer
 //! that compares them.
 //!
-//! A structure finds what a ray hits among triangles, or among primitives of one's own. There are
+//! A structure finds what a ray hits among triangles, or among primitives of your own. There are
 //! five, behind one interface, from a bounding ball to a tree of eight children whose kernels trace
 //! packets of rays with AVX-512, AVX2 or portable code. Whatever the structure, the number of
 //! threads or the instruction set, a ray has the same hit, to the last bit.

@@ -54,6 +54,6 @@ pub(crate) fn measure(group: &mut BenchmarkGroup<'_, WallTime>) {
 fn picture(scene: &Scene, tracer: &dyn Tracer, settings: &Settings) -> Picture {
     match render(scene, tracer, settings, &Silent).image {
         Image::Color(picture) => picture,
-        Image::Scalar { .. } => unreachable!("colours were asked for"),
+        Image::Scalar { .. } => unreachable!("a colour view was chosen"),
     }
 }

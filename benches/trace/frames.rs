@@ -100,7 +100,7 @@ fn same(a: Rendering, b: Rendering) -> bool {
 fn picture(rendering: Rendering) -> Picture {
     match rendering.image {
         Image::Color(picture) => picture,
-        Image::Scalar { .. } => unreachable!("colours were asked for"),
+        Image::Scalar { .. } => unreachable!("a colour view was chosen"),
     }
 }
 

@@ -34,7 +34,7 @@ pub struct CompressedWideBvh {
     nodes: Vec<CwBvhNode>,
 }
 
-/// The most primitives in a leaf that a node can tell of.
+/// The most primitives in a leaf that a node can refer to.
 const MOST: u32 = 3;
 
 const BUILDER: OptionInfo = Builder::option("ploc");

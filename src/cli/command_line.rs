@@ -51,7 +51,7 @@ mod tests {
     use crate::accel::{Bvh, Exhaustive};
     use crate::scene::Structure;
 
-    const MINE: Structure = Structure::new::<Exhaustive, Bvh>("mine", "one of one's own");
+    const MINE: Structure = Structure::new::<Exhaustive, Bvh>("mine", "one of your own");
 
     fn read(structures: &Structures, typed: &[&str]) -> Result<Arguments, String> {
         let matches = command(structures).try_get_matches_from(typed);
@@ -75,7 +75,7 @@ mod tests {
         assert_eq!(named(&["srt", "a.sce", "a.png"]), "bvh8");
         assert_eq!(compared("none,mine").unwrap(), ["none", "mine"]);
         let help = command(&structures).render_long_help().to_string();
-        assert!(help.contains("mine") && help.contains("one of one's own"), "{help}");
+        assert!(help.contains("mine") && help.contains("one of your own"), "{help}");
         assert!(help.contains("mine:leaf=1..") && help.contains("bvh8:builder=sah|ploc"), "{help}");
     }
 

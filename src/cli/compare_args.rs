@@ -128,7 +128,7 @@ impl CompareArguments {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 The hits of each structure over awkward meshes are compared with those of no structure at all, for\n\
-rays that are made to tell them apart. The first ray whose hits differ is printed.\n\n\
+rays that are made to find differences. The first ray whose hits differ is printed.\n\n\
 Exit codes: 0 all hits are equal, 1 a structure's hits differ or it failed, 2 trouble.\n\n\
 Examples:\n  \
 srt conformance\n  \

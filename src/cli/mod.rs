@@ -71,7 +71,7 @@ pub fn run() -> ExitCode {
     run_with(&[])
 }
 
-/// Runs the command with structures of one's own beside the library's: `--accel` takes their names
+/// Runs the command with structures of your own beside the library's: `--accel` takes their names
 /// where it renders, draws heatmaps, compares and checks for equal hits. This is a whole `main.rs`:
 ///
 /// ```no_run

@@ -1,4 +1,4 @@
-//! What `--accel` may name: the structures of the library, and those that a program of one's own
+//! What `--accel` may name: the structures of the library, and those that a program of your own
 //! adds ([`run_with`](super::run_with)), each with options of its own.
 //! Knows no other option of the command.
 
@@ -235,7 +235,7 @@ mod tests {
 
     #[test]
     fn a_name_is_taken_once() {
-        let mine = Structure::new::<Exhaustive, Bvh>("mine", "one of one's own");
+        let mine = Structure::new::<Exhaustive, Bvh>("mine", "one of your own");
         let bvh = Structure::new::<Exhaustive, Bvh>("bvh", "another");
         let refused = |extra: &[Structure]| Structures::with(extra).unwrap_err().to_string();
         assert_eq!(refused(&[mine, bvh]), "two structures are called `bvh`");

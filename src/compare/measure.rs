@@ -1,4 +1,4 @@
-//! The parts of a comparison that a benchmark of one's own takes: rays of each class, their results,
+//! The parts of a comparison that a benchmark of your own takes: rays of each class, their results,
 //! and interleaved rounds.
 //!
 //! ```

@@ -42,8 +42,8 @@ pub(super) fn render_whole(
 }
 
 /// The colours of a rendering; `None` if it shows numbers.
-pub(super) fn colors(sight: Image) -> Option<Picture> {
-    match sight {
+pub(super) fn colors(image: Image) -> Option<Picture> {
+    match image {
         Image::Color(picture) => Some(picture),
         Image::Scalar { .. } => None,
     }

@@ -1,5 +1,5 @@
 //! Whether a structure keeps the contract of [`Accel`]: its answers against those of no structure
-//! at all, bit for bit, on meshes and rays that are made to tell them apart.
+//! at all, bit for bit, on meshes and rays that are made to find differences.
 //!
 //! ```no_run
 //! use srt::accel::Bvh;
@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Any type that implements [`Accel`] stands in for `Bvh`: one test of one line checks a structure
-//! of one's own over triangles. `tests/equal_hits` holds the library's own structures to more rays
+//! of your own over triangles. `tests/equal_hits` holds the library's own structures to more rays
 //! of the same kinds.
 
 pub mod adversarial_rays;
@@ -48,7 +48,7 @@ const PLACES: [(f32, Vec3); 4] =
 pub struct Summary {
     /// Meshes, each scaled and moved in several ways.
     pub meshes: usize,
-    /// Rays, each asked for its hit and for occlusion, in slices and alone.
+    /// Rays, each searched for its closest and for any hit, in slices and alone.
     pub rays: usize,
     /// How many of them hit something.
     pub hits: usize,
@@ -65,7 +65,7 @@ pub struct FirstDifference {
     pub offset: Vec3,
     /// How the structure was to be built.
     pub quality: Quality,
-    /// How the ray was asked about.
+    /// How the ray was searched for.
     pub way: Way,
     /// The ray.
     pub ray: Ray,
@@ -75,7 +75,7 @@ pub struct FirstDifference {
     pub got: Answer,
 }
 
-/// What is asked about a ray.
+/// Both answers for a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
     /// Its first hit.
@@ -84,7 +84,7 @@ pub struct Answer {
     pub blocked: bool,
 }
 
-/// How rays are asked about.
+/// How rays are searched for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     /// Many in a slice.
@@ -287,7 +287,7 @@ impl fmt::Display for FirstDifference {
         let (quality, way) = (self.quality.name(), self.way);
         writeln!(
             f,
-            "mesh `{mesh}` times {scale:e} plus {offset}, built `{quality}`, asked {way}: {ray:?}"
+            "mesh `{mesh}` times {scale:e} plus {offset}, built `{quality}`, traced {way}: {ray:?}"
         )?;
         writeln!(f, "  got      {}", self.got)?;
         write!(f, "  expected {}", self.expected)
@@ -364,7 +364,7 @@ mod tests {
         let text = difference.to_string();
         assert!(text.contains("mesh `lattice` times 1e0"), "{text}");
         assert!(text.contains("\n  got      ") && text.contains("\n  expected Hit"), "{text}");
-        // The ray and the mesh that are told do show it.
+        // The ray and the mesh that are named do show it.
         let meshes = nasty_meshes::all();
         let mesh = meshes.iter().find(|mesh| mesh.name == difference.mesh).unwrap();
         let moved = mesh.moved(difference.scale, difference.offset);

@@ -15,12 +15,12 @@ use super::ffi::{
 pub(super) struct Device {
     raw: RTCDevice,
     /// What the device's callbacks write to; boxed, so that it stays where the device knows it.
-    told: Box<Told>,
+    reports: Box<Reports>,
 }
 
-/// What a device told.
+/// What a device has reported.
 #[derive(Default)]
-struct Told {
+struct Reports {
     bytes: AtomicI64,
     error: Mutex<Option<String>>,
 }
@@ -42,15 +42,15 @@ impl Device {
             let code = unsafe { rtcGetDeviceError(ptr::null_mut()) };
             return Err(EmbreeError::Device { code });
         }
-        let told = Box::<Told>::default();
-        let user = ptr::from_ref(&*told).cast_mut().cast::<c_void>();
-        // SAFETY: the device is valid; `user` is a `Told`, read through a shared reference only,
+        let reports = Box::<Reports>::default();
+        let user = ptr::from_ref(&*reports).cast_mut().cast::<c_void>();
+        // SAFETY: the device is valid; `user` is a `Reports`, read through a shared reference only,
         // which lives until after the device is released.
         unsafe {
             rtcSetDeviceErrorFunction(raw, note_error, user);
             rtcSetDeviceMemoryMonitorFunction(raw, note_bytes, user);
         }
-        Ok(Self { raw, told })
+        Ok(Self { raw, reports })
     }
 
     pub(super) fn raw(&self) -> RTCDevice {
@@ -59,15 +59,15 @@ impl Device {
 
     /// What its objects occupy now.
     pub(super) fn bytes(&self) -> u64 {
-        u64::try_from(self.told.bytes.load(Ordering::Relaxed)).unwrap_or(0)
+        u64::try_from(self.reports.bytes.load(Ordering::Relaxed)).unwrap_or(0)
     }
 
     /// The first complaint so far, if there was any.
     pub(super) fn check(&self) -> Result<(), EmbreeError> {
-        let told = self.told.error.lock().map_or(None, |mut error| error.take());
-        // SAFETY: the device is valid. It keeps what was not told to the callback.
+        let reports = self.reports.error.lock().map_or(None, |mut error| error.take());
+        // SAFETY: the device is valid. It keeps what was not reported to the callback.
         let code = unsafe { rtcGetDeviceError(self.raw) };
-        match told {
+        match reports {
             Some(text) => Err(EmbreeError::Refused { text }),
             None if code != RTC_ERROR_NONE => Err(EmbreeError::Device { code }),
             None => Ok(()),
@@ -85,23 +85,23 @@ impl Drop for Device {
 
 /// Keeps the first error.
 unsafe extern "C" fn note_error(user: *mut c_void, code: c_int, text: *const c_char) {
-    // SAFETY: `user` is the `Told` that was given to the device.
-    let told = unsafe { &*user.cast::<Told>() };
+    // SAFETY: `user` is the `Reports` that was given to the device.
+    let reports = unsafe { &*user.cast::<Reports>() };
     let text = if text.is_null() {
         String::new()
     } else {
         // SAFETY: Embree's texts end with a zero and live as long as this call.
         unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned()
     };
-    if let Ok(mut error) = told.error.lock() {
+    if let Ok(mut error) = reports.error.lock() {
         error.get_or_insert_with(|| format!("error {code}: {text}"));
     }
 }
 
 /// Adds what was allocated, or takes away what was freed.
 unsafe extern "C" fn note_bytes(user: *mut c_void, bytes: isize, _post: bool) -> bool {
-    // SAFETY: `user` is the `Told` that was given to the device.
-    let told = unsafe { &*user.cast::<Told>() };
-    told.bytes.fetch_add(bytes as i64, Ordering::Relaxed);
+    // SAFETY: `user` is the `Reports` that was given to the device.
+    let reports = unsafe { &*user.cast::<Reports>() };
+    reports.bytes.fetch_add(bytes as i64, Ordering::Relaxed);
     true
 }

@@ -20,7 +20,7 @@ use thiserror::Error;
 
 pub use triangles::{Builder, TriangleScene};
 
-/// Why Embree did not do what it was asked for.
+/// Why a call of Embree failed.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum EmbreeError {
     /// It has no device, or a call failed without words.

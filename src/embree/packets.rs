@@ -1,6 +1,6 @@
 //! Rays in packets of sixteen, in the order in which they stand in the slice.
 //!
-//! Embree is told that they are coherent, which is what packets are for.
+//! They are declared coherent to Embree, which is what packets are for.
 
 use crate::math::{Hit, Ray};
 
@@ -77,7 +77,7 @@ impl TriangleScene {
         let mut context = context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
         put(rays, &mut query.ray);
         query.hit.geom_id = NONE;
-        // SAFETY: the scene is committed; all structs are Embree's and aligned as it asks.
+        // SAFETY: the scene is committed; all structs are Embree's and aligned as it requires.
         unsafe { rtcIntersect16(valid.0.as_ptr(), self.raw(), &mut context, query) };
         let RTCHit16 { u, v, prim_id, geom_id, .. } = &query.hit;
         for (lane, hit) in hits.iter_mut().enumerate() {
@@ -105,7 +105,7 @@ impl TriangleScene {
     ) {
         let mut context = context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
         put(rays, query);
-        // SAFETY: the scene is committed; all structs are Embree's and aligned as it asks.
+        // SAFETY: the scene is committed; all structs are Embree's and aligned as it requires.
         unsafe { rtcOccluded16(valid.0.as_ptr(), self.raw(), &mut context, query) };
         *blocked = query.tfar.map(|tfar| tfar == f32::NEG_INFINITY);
     }

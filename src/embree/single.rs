@@ -28,7 +28,7 @@ impl TriangleScene {
         let mut context = context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
         for (ray, hit) in rays.iter().zip(hits) {
             let mut query = RTCRayHit { ray: rtc_ray(ray), hit: NO_HIT };
-            // SAFETY: the scene is committed; both structs are Embree's and aligned as it asks.
+            // SAFETY: the scene is committed; both structs are Embree's and aligned as it requires.
             unsafe { rtcIntersect1(self.raw(), &mut context, &mut query) };
             let RTCHit { u, v, prim_id, geom_id, .. } = query.hit;
             *hit = if geom_id == RTC_INVALID_GEOMETRY_ID {

@@ -167,7 +167,7 @@ impl TriangleScene {
     }
 }
 
-/// What a query is told beside its rays.
+/// The arguments of a query beside its rays.
 pub(super) fn context(flags: c_int) -> RTCIntersectContext {
     RTCIntersectContext { flags, filter: ptr::null(), inst_id: RTC_INVALID_GEOMETRY_ID }
 }

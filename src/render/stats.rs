@@ -13,7 +13,7 @@ pub struct ClassStats {
     pub rays: u64,
     /// How many hit something; for shadow rays, how many were blocked.
     pub hits: u64,
-    /// Tests they took; all zero unless counting was asked for.
+    /// Tests they took; all zero unless counting was on.
     pub tests: Counts,
 }
 

@@ -58,7 +58,7 @@ pub trait ForeignTracer: Send + Sync + Sized {
         build: &ForeignBuild<'_>,
     ) -> Result<Self, Box<dyn Error + Send + Sync>>;
 
-    /// Answers what the kind of `answers` asks about each ray, between its `t_min` and its `t_max`.
+    /// Answers the query that the kind of `answers` stands for, for each ray, between its `t_min` and its `t_max`.
     /// The slices have one length. Called from several threads at once.
     fn trace(&self, rays: &[Ray], answers: Answers<'_>);
 

@@ -32,7 +32,7 @@ pub struct BuildReport {
     /// Wall time from the compiled scene to the first ray, packing of triangles included.
     pub time: Duration,
     /// What it was spent on, of all meshes together; the index over the objects is one stage. Empty
-    /// where the structure does not tell.
+    /// where the structure does not report them.
     pub stages: BuildStages,
     /// The structure over the objects.
     pub objects: StructureShape,

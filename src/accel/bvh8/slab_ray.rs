@@ -68,7 +68,7 @@ impl SlabRay {
     /// The terms of a usual ray, or `None` if it hardly moves along some axis.
     #[inline(always)]
     pub(super) fn new<S: Simd>(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Option<Self> {
-        let (terms, reach, octant) = Self::uncut(ray, box_ray, padding);
+        let (terms, reach, octant) = Self::usual_terms(ray, box_ray, padding);
         let product = reach * terms.inv_dir.abs();
         let usual = product.cmple(Vec3A::splat(LARGEST_PRODUCT)).all();
         usual.then(|| Self::of_terms::<S>(terms, product, octant))
@@ -85,7 +85,7 @@ impl SlabRay {
     #[cold]
     #[inline(never)]
     pub(super) fn cut<S: Simd>(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Option<Self> {
-        let (terms, reach, octant) = Self::uncut(ray, box_ray, padding);
+        let (terms, reach, octant) = Self::usual_terms(ray, box_ray, padding);
         let cut = terms.cut(reach);
         let taken = cut.bounded == 0b111 && cut.gives_bound != 0;
         taken.then(|| Self::of_terms::<S>(cut.terms, cut.product, octant))
@@ -93,7 +93,11 @@ impl SlabRay {
 
     /// The terms of [`BoxRay`], an axis in each lane; the largest distances of planes; the octant.
     #[inline(always)]
-    fn uncut(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> (SlabTerms<Vec3A>, Vec3A, u32) {
+    fn usual_terms(
+        ray: &Ray,
+        box_ray: &BoxRay,
+        padding: Padding,
+    ) -> (SlabTerms<Vec3A>, Vec3A, u32) {
         let Sides { near, far, octant } = Sides::of(box_ray);
         let reach = padding.reach(Vec3A::from(ray.origin), Vec3A::splat(box_ray.pad));
         (SlabTerms { inv_dir: box_ray.inv_dir, near, far }, reach, octant)

@@ -16,9 +16,9 @@ pub(super) fn sweep() -> Sweep {
                 continue;
             }
             for class in [RayClass::View, RayClass::Diffuse] {
-                let dearer = if class == RayClass::View { 1.0 } else { 1.7 };
+                let cost = if class == RayClass::View { 1.0 } else { 1.7 };
                 let wobble = 1.0 + 0.04 * ((i * 3 + s) % 4) as f64;
-                let ns = at_1k * (triangles as f64 / 1e3).powf(slope) * dearer * wobble;
+                let ns = at_1k * (triangles as f64 / 1e3).powf(slope) * cost * wobble;
                 points.push(SweepPoint {
                     triangles,
                     structure: name.to_owned(),

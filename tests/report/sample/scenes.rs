@@ -16,19 +16,19 @@ struct Typical {
     view: (f64, f64, f64),
 }
 
-fn class(typical: &Typical, class: RayClass, rays: u64, dearer: f64, key: u64) -> ClassRecord {
+fn class(typical: &Typical, class: RayClass, rays: u64, cost: f64, key: u64) -> ClassRecord {
     let (ns, boxes, primitives) = typical.view;
     ClassRecord {
         class,
         rays,
         hits: rays / 3,
-        boxes: Some((boxes * dearer * rays as f64) as u64),
-        primitives: Some((primitives * dearer * rays as f64) as u64),
-        rounds: rounds(ns * dearer * rays as f64, 12, key),
+        boxes: Some((boxes * cost * rays as f64) as u64),
+        primitives: Some((primitives * cost * rays as f64) as u64),
+        rounds: rounds(ns * cost * rays as f64, 12, key),
         common: (typical.name == "cwbvh" && class == RayClass::Random).then(|| CommonRays {
             rays: 1_000,
-            own: without_hardware(rounds(ns * dearer * 1e3, 12, key + 7)),
-            base: without_hardware(rounds(ns * dearer * 4e5, 12, key + 8)),
+            own: without_hardware(rounds(ns * cost * 1e3, 12, key + 7)),
+            base: without_hardware(rounds(ns * cost * 4e5, 12, key + 8)),
         }),
     }
 }
@@ -47,8 +47,8 @@ fn structure(scene: &str, typical: &Typical, triangles: u64, key: u64) -> Struct
         (RayClass::Diffuse, 262_144, 2.3),
         (RayClass::Random, 262_144, 1.4),
     ];
-    let of_class = |(i, &(name, rays, dearer)): (usize, &(RayClass, u64, f64))| {
-        class(typical, name, rays, dearer, key + i as u64)
+    let of_class = |(i, &(name, rays, cost)): (usize, &(RayClass, u64, f64))| {
+        class(typical, name, rays, cost, key + i as u64)
     };
     let tree = typical.nodes > 1;
     let render_ms = typical.view.0 * 1.2;
