@@ -8,6 +8,7 @@ use crate::simd::{Kernel, Simd, dispatch};
 use super::Bvh8;
 use super::diverged::Diverged;
 use super::packet::{self, Outcome};
+use super::packet_rays::RAYS;
 use super::task::Task;
 use super::wave;
 
@@ -73,16 +74,16 @@ impl Memory {
         let Self { wave, packet, incoherent, diverged } = self;
         incoherent.clear();
         diverged.clear();
-        let (packets, rest) = rays.as_chunks::<{ packet::RAYS }>();
-        let (of_packets, _) = answers.as_chunks_mut::<{ packet::RAYS }>();
+        let (packets, rest) = rays.as_chunks::<{ RAYS }>();
+        let (of_packets, _) = answers.as_chunks_mut::<{ RAYS }>();
         for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
-            let first = (number * packet::RAYS) as u32;
+            let first = (number * RAYS) as u32;
             let numbered = (first, rays);
             let outcome = packet::search::<S, P, Q, C, false>(
                 task, numbered, answers, packet, diverged, counters,
             );
             if outcome == Outcome::Incoherent {
-                incoherent.extend(first..first + packet::RAYS as u32);
+                incoherent.extend(first..first + RAYS as u32);
             }
         }
         incoherent.extend((rays.len() - rest.len()) as u32..rays.len() as u32);

@@ -8,11 +8,13 @@
 //! that any of them meets (`stream.rs`). A single ray is walked by [`Accel::traverse`]. So are the
 //! rays that the kernels' terms cannot take, and those of queries that want every hit.
 
+mod coherence;
 mod collapse;
 mod diverged;
 mod kernels;
 mod node;
 mod packet;
+mod packet_rays;
 mod plan;
 mod save;
 mod slab_ray;

@@ -1,0 +1,416 @@
+//! Sixteen coherent rays as boxes see them: a ray in each lane, and what bounds all of them.
+//!
+//! The slab test with the smallest and the largest of the rays' terms bounds that of every ray from
+//! below and above, because each of its operations is monotone.
+
+use crate::accel::PACK;
+use crate::math::slab::{crossing, cut_to_finite};
+use crate::math::{Lanes, Lanes3, Mask as _, Padding, Ray, within};
+use crate::simd::{Row, Simd};
+
+use super::node::{FAR, Node, near_planes};
+use super::slab_ray::{LARGEST_PRODUCT, SlabTerms};
+
+/// Rays of a packet.
+pub(super) const RAYS: usize = crate::simd::LANES;
+
+/// A bit for each ray.
+pub(super) const ALL: u32 = (1 << RAYS) - 1;
+
+/// Sixteen rays of one octant, a ray in each lane.
+pub(super) struct Packet<S: Simd> {
+    pub(super) origin: Lanes3<S::F16>,
+    pub(super) dir: Lanes3<S::F16>,
+    pub(super) inv_dir: Lanes3<S::F16>,
+    /// The padded origins that near and far planes are measured from: `BoxRay`'s terms.
+    pub(super) near: Lanes3<S::F16>,
+    pub(super) far: Lanes3<S::F16>,
+    /// The factors of [`Row::slab`]: `inv_dir`, but where they are cut.
+    pub(super) slab_inv_dir: Lanes3<S::F16>,
+    /// The offsets of [`Row::slab`].
+    pub(super) near_offset: Lanes3<S::F16>,
+    pub(super) far_offset: Lanes3<S::F16>,
+    pub(super) t_min: S::F16,
+    pub(super) octant: u32,
+    pub(super) hull: Hull<S>,
+}
+
+/// What bounds the slab test of all rays of a packet.
+pub(super) struct Hull<S: Simd> {
+    /// The padded origins that give the earliest entry and the latest exit.
+    pub(super) near: Lanes3<S::F8>,
+    pub(super) far: Lanes3<S::F8>,
+    /// The smallest and the largest inverse directions.
+    pub(super) inv_dir: [Lanes3<S::F8>; 2],
+    pub(super) t_min: S::F8,
+}
+
+impl<S: Simd> Packet<S> {
+    /// Lays out sixteen rays, or returns `None` if their directions are not all of one octant. Also
+    /// returns the rays' ends, and whether the usual terms will do: else they must be
+    /// [`cut`](Self::cut).
+    #[inline(always)]
+    pub(super) fn load(rays: &[Ray; RAYS], padding: Padding) -> Option<(Self, S::F16, bool)> {
+        let rows = S::transpose(&rays.map(|ray| ray.to_array()));
+        let (origin, dir) = ([rows[0], rows[1], rows[2]], [rows[4], rows[5], rows[6]]);
+        let (one, zero) = (S::F16::splat(1.0), S::F16::splat(0.0));
+        let inv_dir = [one / dir[0], one / dir[1], one / dir[2]];
+        let mut octant = 0;
+        let mut mixed = false;
+        for (axis, inv) in inv_dir.iter().enumerate() {
+            let backwards = inv.le(zero).bits();
+            mixed |= backwards != 0 && backwards != ALL;
+            octant |= (backwards & 1) << axis;
+        }
+        let pad = padding.of_rays(origin[0].abs().max(origin[1].abs()).max(origin[2].abs()));
+        let mut packet = Self {
+            origin,
+            dir,
+            inv_dir,
+            near: origin,
+            far: origin,
+            slab_inv_dir: inv_dir,
+            near_offset: origin,
+            far_offset: origin,
+            t_min: rows[3],
+            octant,
+            hull: Hull {
+                near: [S::F8::splat(0.0); 3],
+                far: [S::F8::splat(0.0); 3],
+                inv_dir: [[S::F8::splat(0.0); 3]; 2],
+                t_min: S::F8::splat(0.0),
+            },
+        };
+        packet.hull.t_min = S::F8::splat(packet.t_min.smallest());
+        let mut fits = ALL;
+        for axis in 0..3 {
+            let (plus, minus) = (origin[axis] + pad, origin[axis] - pad);
+            let backwards = octant >> axis & 1 != 0;
+            let (near, far) = if backwards { (minus, plus) } else { (plus, minus) };
+            let terms = SlabTerms { inv_dir: inv_dir[axis], near, far };
+            let product = padding.reach(origin[axis], pad) * inv_dir[axis].abs();
+            fits &= product.le(S::F16::splat(LARGEST_PRODUCT)).bits();
+            packet.near[axis] = near;
+            packet.far[axis] = far;
+            packet.set_slab(axis, terms, product);
+        }
+        // An end that is no number would be the end of all.
+        if mixed || rows[3].le(rows[7]).bits() != ALL {
+            return None;
+        }
+        Some((packet, rows[7], fits == ALL))
+    }
+
+    /// Notes the terms of the slab test of an axis; `product` is the reach times the inverse
+    /// direction.
+    #[inline(always)]
+    pub(super) fn set_slab(&mut self, axis: usize, terms: SlabTerms<S::F16>, product: S::F16) {
+        let SlabTerms { inv_dir, near, far } = terms;
+        self.slab_inv_dir[axis] = inv_dir;
+        (self.near_offset[axis], self.far_offset[axis]) = terms.offsets::<S>(product);
+        let (first, last) = if self.octant >> axis & 1 != 0 {
+            (near.smallest(), far.largest())
+        } else {
+            (near.largest(), far.smallest())
+        };
+        self.hull.near[axis] = S::F8::splat(first);
+        self.hull.far[axis] = S::F8::splat(last);
+        self.hull.inv_dir[0][axis] = S::F8::splat(inv_dir.smallest());
+        self.hull.inv_dir[1][axis] = S::F8::splat(inv_dir.largest());
+    }
+
+    /// Takes up terms that serve where some rays hardly move along an axis. Returns false if they do
+    /// not serve for all rays, or if a ray is no number.
+    #[inline(always)]
+    pub(super) fn cut(&mut self, padding: Padding) -> bool {
+        let origin = &self.origin;
+        let pad = padding.of_rays(origin[0].abs().max(origin[1].abs()).max(origin[2].abs()));
+        let zero = S::F16::splat(0.0);
+        let (mut bounded, mut gives_bound) = (ALL, 0);
+        for axis in 0..3 {
+            let reach = padding.reach(self.origin[axis], pad);
+            bounded &= zero.le(reach * self.inv_dir[axis].abs()).bits();
+            let inv_dir = cut_to_finite(self.inv_dir[axis]);
+            let (near, far) = (self.near[axis], self.far[axis]);
+            let cut = SlabTerms { inv_dir, near, far }.cut(reach);
+            bounded &= cut.bounded;
+            gives_bound |= cut.gives_bound;
+            self.inv_dir[axis] = inv_dir;
+            self.set_slab(axis, cut.terms, cut.product);
+        }
+        bounded & gives_bound == ALL
+    }
+
+    /// The rows of [`Boxes`] that hold the near planes; the far ones are beside them.
+    #[inline(always)]
+    pub(super) fn near_rows(&self) -> [usize; 3] {
+        let row = |axis: usize| 2 * axis + (self.octant >> axis & 1) as usize;
+        [row(0), row(1), row(2)]
+    }
+
+    /// What the intervals of all rays in a node's eight boxes lie in.
+    #[inline(always)]
+    pub(super) fn hull_of_node(&self, node: &Node, end: S::F8) -> (S::F8, S::F8) {
+        let [x, y, z] = near_planes(self.octant);
+        self.hull.interval(
+            [node.planes::<S>(x), node.planes::<S>(y), node.planes::<S>(z)],
+            [node.planes::<S>(x ^ FAR), node.planes::<S>(y ^ FAR), node.planes::<S>(z ^ FAR)],
+            end,
+        )
+    }
+
+    /// Where each ray meets a child's plane along an axis.
+    #[inline(always)]
+    pub(super) fn slab(&self, plane: f32, axis: usize, offsets: &Lanes3<S::F16>) -> S::F16 {
+        S::F16::slab(S::F16::splat(plane), self.slab_inv_dir[axis], offsets[axis])
+    }
+
+    /// Where each ray enters and leaves a box.
+    #[inline(always)]
+    pub(super) fn interval(&self, node: &Node, lane: usize, end: S::F16) -> (S::F16, S::F16) {
+        let [x, y, z] = near_planes(self.octant);
+        let (near, far) = (&self.near_offset, &self.far_offset);
+        let begin =
+            self.slab(node.plane(x, lane), 0, near).max(self.slab(node.plane(y, lane), 1, near));
+        let leave = self.slab(node.plane(x ^ FAR, lane), 0, far).min(self.slab(
+            node.plane(y ^ FAR, lane),
+            1,
+            far,
+        ));
+        (
+            begin.max(self.slab(node.plane(z, lane), 2, near).max(self.t_min)),
+            leave.min(self.slab(node.plane(z ^ FAR, lane), 2, far).min(end)),
+        )
+    }
+
+    /// A product of `BoxRay::interval`: of the near planes, or of the far ones.
+    #[inline(always)]
+    pub(super) fn product(&self, plane: f32, origin: &Lanes3<S::F16>, axis: usize) -> S::F16 {
+        crossing(S::F16::splat(plane), origin[axis], self.inv_dir[axis])
+    }
+
+    /// Which rays' `t` lies in the interval of a primitive's own box: `BoxRay::accepts`.
+    #[inline(always)]
+    pub(super) fn accepts(&self, boxes: &Boxes, lane: usize, t: S::F16) -> u32 {
+        let [x, y, z] = self.near_rows();
+        let (near, far) = (&self.near, &self.far);
+        let begin = self
+            .product(boxes.plane(x, lane), near, 0)
+            .max(self.product(boxes.plane(y, lane), near, 1))
+            .max(self.product(boxes.plane(z, lane), near, 2));
+        let leave = self
+            .product(boxes.plane(x ^ 1, lane), far, 0)
+            .min(self.product(boxes.plane(y ^ 1, lane), far, 1))
+            .min(self.product(boxes.plane(z ^ 1, lane), far, 2));
+        within(t, [begin, leave]).bits()
+    }
+}
+
+/// The own boxes of a leaf's primitives, written down so that one box, or one row of near planes,
+/// can be picked: low planes along x, high planes along x, then y and z.
+pub(super) struct Boxes([[f32; PACK]; 6]);
+
+impl Boxes {
+    #[inline(always)]
+    pub(super) fn new<S: Simd>([low, high]: [Lanes3<S::F8>; 2]) -> Self {
+        let mut rows = [[0.0; PACK]; 6];
+        for axis in 0..3 {
+            low[axis].store(&mut rows[2 * axis]);
+            high[axis].store(&mut rows[2 * axis + 1]);
+        }
+        Self(rows)
+    }
+
+    #[inline(always)]
+    pub(super) fn row<S: Simd>(&self, row: usize) -> S::F8 {
+        S::F8::load(&self.0[row])
+    }
+
+    #[inline(always)]
+    pub(super) fn plane(&self, row: usize, lane: usize) -> f32 {
+        self.0[row][lane % PACK]
+    }
+}
+
+impl<S: Simd> Hull<S> {
+    /// Along one axis: where the first ray enters planes.
+    #[inline(always)]
+    pub(super) fn enter(&self, axis: usize, planes: S::F8) -> S::F8 {
+        let distance = planes - self.near[axis];
+        (distance * self.inv_dir[0][axis]).min(distance * self.inv_dir[1][axis])
+    }
+
+    /// Along one axis: where the last ray leaves planes.
+    #[inline(always)]
+    pub(super) fn leave(&self, axis: usize, planes: S::F8) -> S::F8 {
+        let distance = planes - self.far[axis];
+        (distance * self.inv_dir[0][axis]).max(distance * self.inv_dir[1][axis])
+    }
+
+    /// What the intervals of all rays in eight boxes lie in.
+    #[inline(always)]
+    pub(super) fn interval(
+        &self,
+        near: Lanes3<S::F8>,
+        far: Lanes3<S::F8>,
+        end: S::F8,
+    ) -> (S::F8, S::F8) {
+        let begin = self.enter(0, near[0]).max(self.enter(1, near[1]));
+        let leave = self.leave(0, far[0]).min(self.leave(1, far[1]));
+        (
+            begin.max(self.enter(2, near[2]).max(self.t_min)),
+            leave.min(self.leave(2, far[2]).min(end)),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::super::node::Child;
+    use super::super::slab_ray::tests::STILL;
+    use super::*;
+    use crate::math::{Aabb, BoxRay, Random};
+    use crate::simd::{Kernel, dispatch};
+
+    /// Whether sixteen rays make a packet.
+    struct Makes<'a>(&'a [Ray; RAYS], Padding);
+
+    impl Kernel for Makes<'_> {
+        type Output = bool;
+
+        #[inline(always)]
+        fn run<S: Simd>(self) -> bool {
+            let packet = Packet::<S>::load(self.0, self.1);
+            packet.is_some_and(|(mut packet, _, fits)| fits || packet.cut(self.1))
+        }
+    }
+
+    /// For each child, where each of sixteen rays enters and leaves it, and what bounds these.
+    struct Intervals<'a>(&'a [Ray; RAYS], &'a Node, Padding);
+
+    /// The intervals of a kernel in a node: for each child and ray, and for each child.
+    struct Met {
+        of_rays: [[[f32; RAYS]; 2]; PACK],
+        of_all: [[f32; PACK]; 2],
+    }
+
+    impl Kernel for Intervals<'_> {
+        type Output = Option<Met>;
+
+        #[inline(always)]
+        fn run<S: Simd>(self) -> Option<Met> {
+            let Self(rays, node, padding) = self;
+            let (mut packet, ends, fits) = Packet::<S>::load(rays, padding)?;
+            if !fits && !packet.cut(padding) {
+                return None;
+            }
+            let mut met = Met { of_rays: [[[0.0; RAYS]; 2]; PACK], of_all: [[0.0; PACK]; 2] };
+            for (lane, [begins, leaves]) in met.of_rays.iter_mut().enumerate() {
+                let (begin, leave) = packet.interval(node, lane, ends);
+                begin.store(begins);
+                leave.store(leaves);
+            }
+            let (begin, leave) = packet.hull_of_node(node, S::F8::splat(ends.largest()));
+            begin.store(&mut met.of_all[0]);
+            leave.store(&mut met.of_all[1]);
+            Some(met)
+        }
+    }
+
+    #[test]
+    fn intervals_of_packets_contain_what_is_accepted() {
+        let mut random = Random::new(&[23]);
+        let mut accepted = 0;
+        for round in 0..5_000 {
+            let scale = [1.0, 1e-6, 1e6][round % 3];
+            // Few different coordinates, so that rays often run in the planes of boxes.
+            let mut point = || {
+                Vec3::from_array(std::array::from_fn(|_| {
+                    scale * (random.below(9) as f32 - 4.0) / 3.0
+                }))
+            };
+            let mut node = Node::EMPTY;
+            for lane in 0..PACK {
+                let corners = [point().into(), point().into()];
+                node.set(lane, Child::node(lane), &Aabb::of_points(corners));
+            }
+            let padding = Padding::of_bounds(&node.bounds());
+            let origins: [Vec3; RAYS] = std::array::from_fn(|_| point());
+            let along = round % 3;
+            // One octant for all: each ray moves along the axes across by nothing, little or much.
+            let signs = STILL.map(|x| x.signum());
+            let sides = [signs[random.below(8) as usize], signs[random.below(8) as usize]];
+            let rays = origins.map(|origin| {
+                let mut dir = Vec3::ZERO;
+                dir[along] = 1.0;
+                for (axis, side) in [(along + 1) % 3, (along + 2) % 3].into_iter().zip(sides) {
+                    let across = [STILL[random.below(8) as usize].abs(), 0.3, 0.0];
+                    dir[axis] = across[random.below(3) as usize].copysign(side);
+                }
+                Ray { t_min: -f32::MAX, t_max: f32::MAX, ..Ray::new(origin, dir) }
+            });
+            let met = dispatch(Intervals(&rays, &node, padding)).expect("a packet");
+            for (lane, [begins, leaves]) in met.of_rays.iter().enumerate() {
+                for (number, ray) in rays.iter().enumerate() {
+                    let own = BoxRay::new(ray, padding).interval(&node.child_bounds(lane));
+                    if own.0 > own.1 {
+                        continue;
+                    }
+                    accepted += 1;
+                    let of_ray = (begins[number], leaves[number]);
+                    let of_all = (met.of_all[0][lane], met.of_all[1][lane]);
+                    for (begin, leave) in [of_ray, of_all] {
+                        assert!(
+                            begin <= own.0 && own.1 <= leave,
+                            "{ray:?}: {own:?} {begin} {leave}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(accepted > 10_000, "{accepted}");
+    }
+
+    fn grid(dir: Vec3) -> [Ray; RAYS] {
+        std::array::from_fn(|i| Ray::new(Vec3::new((i / 4) as f32, (i % 4) as f32, 0.5), dir))
+    }
+
+    #[test]
+    fn rays_along_an_axis_make_packets() {
+        for largest in [1e-6, 1.0, 1e6] {
+            let padding = Padding { largest, factor: 1.0 };
+            for (axis, along) in
+                [1.0, -1.0, 0.01].into_iter().flat_map(|x| [0, 1, 2].map(|a| (a, x)))
+            {
+                for (a, b) in STILL.into_iter().flat_map(|a| STILL.map(|b| (a, b))) {
+                    let mut dir = Vec3::ZERO;
+                    dir[axis] = along;
+                    dir[(axis + 1) % 3] = a;
+                    dir[(axis + 2) % 3] = b;
+                    assert!(dispatch(Makes(&grid(dir), padding)), "{dir}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn rays_without_terms_make_none() {
+        let padding = Padding { largest: 1.0, factor: 1.0 };
+        let makes = |change: fn(&mut Ray)| {
+            let mut rays = grid(Vec3::X);
+            change(&mut rays[5]);
+            dispatch(Makes(&rays, padding))
+        };
+        assert!(makes(|_| ()));
+        assert!(makes(|ray| ray.dir.y = 0.5), "of the same octant");
+        assert!(!makes(|ray| ray.dir.y = -0.0), "of another octant");
+        assert!(!makes(|ray| ray.dir.x = 0.0));
+        assert!(!makes(|ray| ray.dir.x = 1e-35));
+        assert!(!makes(|ray| ray.dir.y = f32::NAN));
+        assert!(!makes(|ray| ray.origin.y = f32::NAN));
+        assert!(!makes(|ray| ray.origin.y = 1e30));
+        assert!(!makes(|ray| ray.t_max = f32::NAN));
+    }
+}
