@@ -202,7 +202,9 @@ fn kept(name: String, options: BuildOptions) -> &'static Chosen {
 }
 
 /// All structures, the simplest first: those that give equal hits.
-pub const STRUCTURES: &[Structure] = &[
+///
+/// A `static`: a crate that names a constant compiles all that it refers to, every kernel of every structure, again.
+pub static STRUCTURES: &[Structure] = &[
     Structure::new::<Exhaustive, Exhaustive>("none", "test every object and every triangle"),
     Structure::new::<Exhaustive, BoundingBall>("ball", "one bounding ball around each mesh"),
     Structure::new::<Bvh, Bvh>("bvh", "obvhs's binary tree over objects and triangles"),
@@ -217,7 +219,7 @@ pub const STRUCTURES: &[Structure] = &[
 ];
 
 /// What the structures are measured against, where the program was built with it.
-pub const PEERS: &[Structure] = &[
+pub static PEERS: &[Structure] = &[
     #[cfg(feature = "embree")]
     Structure::foreign::<Embree<false>>(
         "embree",
