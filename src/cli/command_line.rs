@@ -1,10 +1,15 @@
 //! The command's definition with the structures of this program, and what it reads from the command
 //! line of this process.
 
+use std::io::{self, Write};
+use std::path::Path;
+
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
 
 use super::args::{self, Arguments};
+use super::exit::Failure;
+use super::output::OutputError;
 use super::structures::Structures;
 
 /// The command, whose `--accel` takes these structures.
@@ -17,11 +22,19 @@ pub(crate) fn command(structures: &Structures) -> Command {
         .mut_subcommand("conformance", |check| check.mut_arg("accel", list))
 }
 
-/// The arguments of this process. Ends it where they are wrong, or for the help.
-pub(crate) fn arguments(structures: &Structures) -> Arguments {
+/// The arguments of this process; `None` where help or the version was wanted, and printed. Ends the
+/// process where the arguments are wrong.
+///
+/// # Errors
+/// If standard output does not take the help.
+pub(crate) fn arguments(structures: &Structures) -> Result<Option<Arguments>, Failure> {
     let matches = command(structures).try_get_matches();
     let read = matches.and_then(|mut matches| Arguments::from_arg_matches_mut(&mut matches));
-    let mut arguments = read.unwrap_or_else(|error| explained(structures, error).exit());
+    let mut arguments = match read.map_err(|error| explained(structures, error)) {
+        Ok(arguments) => arguments,
+        Err(help) if !help.use_stderr() => return print_help(&help).map(|()| None),
+        Err(error) => error.exit(),
+    };
     let named = match &mut arguments.command {
         Some(args::Command::Compare(compare)) => Some(&mut compare.accel),
         Some(args::Command::Conformance(check)) => Some(&mut check.accel),
@@ -30,7 +43,13 @@ pub(crate) fn arguments(structures: &Structures) -> Arguments {
     if let Some(named) = named.filter(|named| named.is_empty()) {
         *named = vec![structures.compared_by_default()];
     }
-    arguments
+    Ok(Some(arguments))
+}
+
+/// Prints what clap takes for an error, too: its own `exit` would not notice that it could not be printed.
+fn print_help(help: &clap::Error) -> Result<(), Failure> {
+    let printed = help.print().and_then(|()| io::stdout().flush());
+    printed.map_err(|error| OutputError::io(Path::new("-"), error).into())
 }
 
 /// An error of clap's in words that fit: after a scene and an output, it takes one word too many for

@@ -22,9 +22,11 @@ use crate::report::Report;
 /// Compares, writes the report and prints its table.
 pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> CommandResult {
     let old = arguments.baseline.as_deref().map(read_record).transpose()?;
-    let out = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.scenes));
     let Some(scenes) = load_all(arguments)? else { return Ok(Exit::Trouble) };
-    let folder = ResultFolder::prepare(&out)?;
+    let folder = match &arguments.out {
+        Some(out) => ResultFolder::prepare(out)?,
+        None => ResultFolder::claim(Path::new("results"), &default_name(&arguments.scenes))?,
+    };
     let plan = plan(arguments, scenes);
     if let Some(note) = too_short(&plan).filter(|_| !arguments.quiet) {
         print_message(note);
@@ -132,19 +134,15 @@ fn stem(path: &Path) -> String {
     path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned())
 }
 
-/// `results/<date>-<scene>`, with a number behind it if that exists.
-fn default_folder(scenes: &[PathBuf]) -> PathBuf {
+/// `<date>-<scene>`: the name of the folder for a report that is given none.
+fn default_name(scenes: &[PathBuf]) -> String {
     let date = jiff::Zoned::now().strftime("%Y-%m-%d").to_string();
     let first = scenes.first().map_or_else(|| "sweep".to_owned(), |path| stem(path));
     let more = match scenes.len() {
         0 | 1 => String::new(),
         n => format!("-and-{}-more", n - 1),
     };
-    let name = format!("{date}-{first}{more}");
-    let numbered = (2..).map(|number| format!("{name}-{number}"));
-    let mut paths =
-        std::iter::once(name.clone()).chain(numbered).map(|name| Path::new("results").join(name));
-    paths.find(|path| !path.exists()).unwrap_or_else(|| Path::new("results").join(name))
+    format!("{date}-{first}{more}")
 }
 
 fn encoded(pictures: &[(String, Picture)]) -> Result<PictureFiles, Failure> {
@@ -189,9 +187,9 @@ mod tests {
     fn folders_are_named_by_their_scenes() {
         let folder = |scenes: &[&str]| {
             let scenes: Vec<_> = scenes.iter().map(PathBuf::from).collect();
-            default_folder(&scenes).display().to_string()
+            default_name(&scenes)
         };
-        assert!(folder(&["a/hall-x.sce"]).contains("-hall-x"));
-        assert!(folder(&["hall-x.sce", "b.sce", "c.sce"]).contains("-hall-x-and-2-more"));
+        assert!(folder(&["a/hall-x.sce"]).ends_with("-hall-x"));
+        assert!(folder(&["hall-x.sce", "b.sce", "c.sce"]).ends_with("-hall-x-and-2-more"));
     }
 }

@@ -61,7 +61,7 @@ use crate::scene::Structure;
 use crate::simd::Isa;
 
 use args::Command;
-use exit::{CommandResult, Failure};
+use exit::{CommandResult, Exit, Failure};
 use interrupt::Interrupt;
 use structures::Structures;
 
@@ -90,7 +90,7 @@ pub fn run_with(extra: &[Structure]) -> ExitCode {
 
 /// Hands what was typed to the file of its subcommand.
 fn dispatch(structures: &Structures) -> CommandResult {
-    let arguments = command_line::arguments(structures);
+    let Some(arguments) = command_line::arguments(structures)? else { return Ok(Exit::Fine) };
     Isa::chosen().map_err(Failure::new)?;
     let interrupt = Interrupt::install().map_err(Failure::new)?;
     match arguments.command {

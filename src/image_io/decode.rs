@@ -11,12 +11,23 @@ use crate::math::Color;
 
 /// Why bytes are not a picture of a format.
 #[derive(Debug, Error)]
-#[error("not a .{format} picture: {source}")]
-pub struct DecodeError {
-    /// The requested format.
-    pub format: Format,
-    /// The decoder's error.
-    pub source: image::ImageError,
+pub enum DecodeError {
+    /// They are not a whole file of the format.
+    #[error("not a .{format} picture: {source}")]
+    Format {
+        /// The requested format.
+        format: Format,
+        /// The decoder's error.
+        source: image::ImageError,
+    },
+    /// The file is whole, and its picture has no pixels.
+    #[error("a picture of {width} × {height} has no pixels")]
+    Empty {
+        /// In pixels.
+        width: u32,
+        /// In pixels.
+        height: u32,
+    },
 }
 
 /// The picture in the bytes of a file of this format.
@@ -25,12 +36,15 @@ pub struct DecodeError {
 /// bytes; 16-bit channels become b/65535. Grey becomes colour; opacity is left out.
 ///
 /// # Errors
-/// If the bytes are not a whole file of the format.
+/// If the bytes are not a whole file of the format, or the picture has no pixels.
 pub fn decode(bytes: &[u8], format: Format) -> Result<Picture, DecodeError> {
     let image = ImageReader::with_format(Cursor::new(bytes), format.of_image_crate())
         .decode()
-        .map_err(|source| DecodeError { format, source })?;
+        .map_err(|source| DecodeError::Format { format, source })?;
     let (width, height) = (image.width(), image.height());
+    if width == 0 || height == 0 {
+        return Err(DecodeError::Empty { width, height });
+    }
     let pixels = match image {
         DynamicImage::ImageLuma8(_)
         | DynamicImage::ImageLumaA8(_)
@@ -56,6 +70,15 @@ mod tests {
         let mut channel = |i: u32| value(if i < 256 { i as u8 } else { random.below(256) as u8 });
         let pixels = (0..37 * 11).map(|i| Color::new(channel(i), channel(i * 2), channel(i * 3)));
         Picture::from_pixels(37, 11, pixels.collect()).unwrap()
+    }
+
+    #[test]
+    fn a_picture_without_pixels_is_refused() {
+        let mut file = encode(&bytes_picture(), Format::Tga).unwrap();
+        // Width and height, two bytes each, stand at 12 in the header.
+        file[12..16].fill(0);
+        assert!(decode(&file, Format::Tga).is_err());
+        assert!(decode(b"P6\n0 0\n255\n", Format::Ppm).is_err());
     }
 
     #[test]

@@ -237,14 +237,18 @@ mod unix {
     #[test]
     #[cfg(target_os = "linux")]
     fn a_full_standard_output_is_called_that() {
-        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-        let run = Process::new(assert_cmd::cargo::cargo_bin!("srt"))
-            .args(["mesh", "soup", "-n", "100"])
-            .stdout(full)
-            .output()
-            .unwrap();
-        let stderr = String::from_utf8(run.stderr).unwrap();
-        assert!(stderr.contains("cannot write standard output: "), "{stderr}");
+        for arguments in [&["mesh", "soup", "-n", "100"][..], &["--help"], &["-h"], &["--version"]]
+        {
+            let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+            let run = Process::new(assert_cmd::cargo::cargo_bin!("srt"))
+                .args(arguments)
+                .stdout(full)
+                .output()
+                .unwrap();
+            assert_eq!(run.status.code(), Some(2), "{arguments:?}");
+            let stderr = String::from_utf8(run.stderr).unwrap();
+            assert!(stderr.contains("cannot write standard output: "), "{arguments:?}: {stderr}");
+        }
     }
 
     #[test]

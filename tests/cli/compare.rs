@@ -198,6 +198,29 @@ fn a_folder_that_takes_no_files_is_found_before_the_work() {
     assert!(run.stderr.contains("/proc/srt"), "{}", run.stderr);
 }
 
+#[test]
+fn comparisons_at_the_same_time_have_a_folder_each() {
+    let folder = folder();
+    let start = || {
+        std::process::Command::new(assert_cmd::cargo::cargo_bin!("srt"))
+            .args(["compare", "scene.sce", "--quiet"])
+            .args(QUICK)
+            .current_dir(folder.path())
+            .spawn()
+            .unwrap()
+    };
+    let runs: Vec<_> = (0..6).map(|_| start()).collect();
+    for mut run in runs {
+        assert_eq!(run.wait().unwrap().code(), Some(0));
+    }
+    let results = folder.path().join("results");
+    let reports = names(&results);
+    assert_eq!(reports.len(), 6, "{reports:?}");
+    for report in reports {
+        assert_eq!(json(&results.join(&report).join("report.json"))["run"]["partial"], false);
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupted_comparison_is_written_and_marked() {

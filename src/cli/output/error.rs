@@ -59,7 +59,7 @@ fn named(path: &Path) -> String {
 
 impl OutputError {
     /// The system's error about a path, as typed.
-    pub(super) fn io(path: &Path, source: io::Error) -> Self {
+    pub(crate) fn io(path: &Path, source: io::Error) -> Self {
         match source.kind() {
             io::ErrorKind::BrokenPipe => Self::BrokenPipe,
             _ => Self::Io { path: path.to_owned(), source },
