@@ -1,15 +1,12 @@
 //! The command's definition with the structures of this program, and what it reads from the command
 //! line of this process.
 
-use std::io::{self, Write};
-use std::path::Path;
-
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
 
 use super::args::{self, Arguments};
 use super::exit::Failure;
-use super::output::OutputError;
+use super::output::Output;
 use super::structures::Structures;
 
 /// The command, whose `--accel` takes these structures.
@@ -46,10 +43,10 @@ pub(crate) fn arguments(structures: &Structures) -> Result<Option<Arguments>, Fa
     Ok(Some(arguments))
 }
 
-/// Prints what clap takes for an error, too: its own `exit` would not notice that it could not be printed.
+/// Prints what clap takes for an error, too: its own `exit` would not notice that it could not be printed. Only clap
+/// colours it as the terminal wants, so it writes to standard output by itself.
 fn print_help(help: &clap::Error) -> Result<(), Failure> {
-    let printed = help.print().and_then(|()| io::stdout().flush());
-    printed.map_err(|error| OutputError::io(Path::new("-"), error).into())
+    Output::stdout().write(|_| help.print()).map_err(Failure::from)
 }
 
 /// An error of clap's in words that fit: after a scene and an output, it takes one word too many for

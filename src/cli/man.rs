@@ -1,6 +1,5 @@
 //! `srt man`: the man pages, from the definition of the command.
 
-use std::fs;
 use std::io;
 use std::path::Path;
 
@@ -9,7 +8,7 @@ use clap_mangen::Man;
 
 use super::args::ManArguments;
 use super::exit::{CommandResult, Exit, Failure};
-use super::output::Output;
+use super::output::{Output, make_folder};
 
 /// Prints `srt.1`, or writes it and the subcommands' pages into a folder.
 pub(super) fn run(arguments: &ManArguments, command: Command) -> CommandResult {
@@ -26,9 +25,7 @@ fn print(command: Command) -> CommandResult {
 }
 
 fn write_all(folder: &Path, command: Command) -> CommandResult {
-    fs::create_dir_all(folder).map_err(|error| {
-        Failure::new(format_args!("cannot make the folder `{}`: {error}", folder.display()))
-    })?;
+    make_folder(folder)?;
     for (name, page) in pages(command).map_err(Failure::new)? {
         let output = Output::prepare(&folder.join(name)).map_err(Failure::from)?;
         output.write(|to| to.write_all(&page)).map_err(Failure::from)?;

@@ -2,11 +2,10 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
-use super::output::Output;
+use super::output::{Output, claim_folder, make_folder};
 use crate::compare::{heatmap_name, picture_name};
 use crate::record::{Comparison, SceneRecord};
 use crate::report::{Report, read_json};
@@ -32,34 +31,21 @@ impl ResultFolder {
                 path.display()
             )));
         }
-        fs::create_dir_all(path).map_err(|error| {
-            Failure::new(format_args!("cannot make the folder `{}`: {error}", path.display()))
-        })?;
+        make_folder(path)?;
+        Self::checked(path.to_owned())
+    }
+
+    /// Makes a new folder of this name within `parent`, with a number behind it if there is one already.
+    pub(super) fn claim(parent: &Path, name: &str) -> Result<Self, Failure> {
+        Self::checked(claim_folder(parent, name)?)
+    }
+
+    /// A folder that exists, if the files of a report can be written in it.
+    fn checked(path: PathBuf) -> Result<Self, Failure> {
         for name in FILES {
             Output::prepare(&path.join(name))?;
         }
-        Ok(Self { path: path.to_owned() })
-    }
-
-    /// Makes a folder of this name within `parent`, with a number behind it if there is one already.
-    ///
-    /// Making it is what claims the name: of commands that run at the same time, each gets its own.
-    pub(super) fn claim(parent: &Path, name: &str) -> Result<Self, Failure> {
-        let trouble = |path: &Path, error: &io::Error| {
-            Failure::new(format_args!("cannot make the folder `{}`: {error}", path.display()))
-        };
-        fs::create_dir_all(parent).map_err(|error| trouble(parent, &error))?;
-        let mut path = parent.join(name);
-        for number in 2u64.. {
-            match fs::create_dir(&path) {
-                Ok(()) => break,
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                    path.set_file_name(format!("{name}-{number}"));
-                }
-                Err(error) => return Err(trouble(&path, &error)),
-            }
-        }
-        Self::prepare(&path)
+        Ok(Self { path })
     }
 
     /// Where it is.

@@ -23,6 +23,14 @@ pub(crate) enum OutputError {
         /// As typed.
         path: PathBuf,
     },
+    /// A folder for results cannot be made.
+    #[error("cannot make the folder `{}`: {source}", path.display())]
+    MakeFolder {
+        /// As typed.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
     /// The extension is that of no format.
     #[error("cannot write `{}`: {source}; or choose a format with --format", path.display())]
     UnknownFormat {
@@ -59,7 +67,7 @@ fn named(path: &Path) -> String {
 
 impl OutputError {
     /// The system's error about a path, as typed.
-    pub(crate) fn io(path: &Path, source: io::Error) -> Self {
+    pub(super) fn io(path: &Path, source: io::Error) -> Self {
         match source.kind() {
             io::ErrorKind::BrokenPipe => Self::BrokenPipe,
             _ => Self::Io { path: path.to_owned(), source },

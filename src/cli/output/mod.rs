@@ -5,12 +5,14 @@
 //! names of the formats alone.
 
 mod error;
+mod folder;
 mod picture;
 mod replace;
 mod target;
 mod writer;
 
 pub(crate) use error::OutputError;
+pub(crate) use folder::{claim_folder, make_folder};
 pub(crate) use picture::prepare_picture;
 pub(crate) use replace::abandon_and_exit;
 pub(crate) use writer::{Output, print};
