@@ -1,7 +1,7 @@
 //! A record against an older one: what became slower, what faster, at 95 % confidence.
 
-use super::class::own_ns_per_ray;
-use super::statistics::unpaired_ratio;
+use super::class::ray_times;
+use super::statistics::unpaired_ratio_of_estimates;
 use crate::record::{Baseline, Change, Changes, ClassRecord, Comparison, Run};
 
 /// Compares a new record with an old one. Scenes whose files changed are not compared. A change is a regression above
@@ -64,14 +64,14 @@ fn add(
         changes.doubts.push(format!("The baseline has no {what}."));
         return;
     };
-    if old.rays != new.rays {
+    let recorded = new.recorded_rays();
+    if old.recorded_rays() != recorded {
         changes.doubts.push(format!(
-            "{} {what} were traced, {} in the baseline; times per ray are compared.",
-            new.rays, old.rays
+            "{recorded} {what} were recorded, {} in the baseline; times per ray are compared.",
+            old.recorded_rays()
         ));
     }
-    let times = |class: &ClassRecord| own_ns_per_ray(&class.rounds, class.rays);
-    if let Some(slowdown) = unpaired_ratio(&times(new), &times(old)) {
+    if let Some(slowdown) = unpaired_ratio_of_estimates(&ray_times(new), &ray_times(old)) {
         changes.changes.push(Change {
             scene: scene.to_owned(),
             structure: structure.to_owned(),

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::statistics::{estimate, median, million_per_second, paired_ratio};
-use crate::record::{ClassRecord, CommonRays, Estimate, HardwareCounters, RayClass, Round};
+use super::statistics::{Center, Rounds, median, million_per_second, ratio_of_estimates};
+use crate::record::{BlockSample, ClassRecord, Estimate, HardwareCounters, RayClass, Round};
 
 /// The figures of a class of rays with a structure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -12,6 +12,8 @@ pub struct ClassFigures {
     pub class: RayClass,
     /// Rays in each round.
     pub rays: u64,
+    /// How many rays were recorded: times and rates are estimates for all of them.
+    pub recorded_rays: u64,
     /// The share of them that hit something, from 0 to 1.
     pub hit_share: Option<f64>,
     /// Box tests per ray.
@@ -33,10 +35,8 @@ pub struct ClassFigures {
     pub cache_misses_per_ray: Option<Estimate>,
     /// Millions of rays per second.
     pub million_rays_per_second: Option<Estimate>,
-    /// How many times as fast as the scene's base, per ray, on the rays that both traced.
+    /// How many times as fast as the scene's base: the ratio of both estimates for all recorded rays.
     pub speedup: Option<Estimate>,
-    /// How many rays both traced; absent if `speedup` is the ratio of times of different rays, in older records.
-    pub speedup_rays: Option<u64>,
 }
 
 impl ClassFigures {
@@ -49,19 +49,36 @@ impl ClassFigures {
     pub fn is_disturbed(&self) -> bool {
         self.disturbance.is_some_and(|disturbance| disturbance > Self::DISTURBED)
     }
+
+    /// Whether each round traced a random sample of the recorded rays.
+    #[must_use]
+    pub fn is_sampled(&self) -> bool {
+        self.rays < self.recorded_rays
+    }
+
+    /// Processor time over own time, where it differs by more than [`DISTURBED`](Self::DISTURBED): more than one thread
+    /// worked.
+    #[must_use]
+    pub fn processor_share(&self) -> Option<f64> {
+        let share = self.cpu_ns_per_ray?.value / self.ns_per_ray?.value;
+        (!(1.0 / Self::DISTURBED..=Self::DISTURBED).contains(&share)).then_some(share)
+    }
 }
 
 /// The figures of a class; ratios are to the same class of the base.
 pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> ClassFigures {
+    let counted_rays = if own.counted_rays > 0 { own.counted_rays } else { own.rays };
+    let per_counted = |n: u64| quotient(n as f64, counted_rays as f64);
     let per_ray = |n: u64| quotient(n as f64, own.rays as f64);
-    let ns_per_ray = estimate(&own_ns_per_ray(&own.rounds, own.rays));
-    let (speedup, speedup_rays) = base.map_or((None, None), |base| speedup(base, own));
+    let times = ray_times(own);
+    let ns_per_ray = times.estimate();
     ClassFigures {
         class: own.class,
         rays: own.rays,
-        hit_share: per_ray(own.hits),
-        boxes_per_ray: own.boxes.and_then(per_ray),
-        primitives_per_ray: own.primitives.and_then(per_ray),
+        recorded_rays: own.recorded_rays(),
+        hit_share: per_counted(own.hits),
+        boxes_per_ray: own.boxes.and_then(per_counted),
+        primitives_per_ray: own.primitives.and_then(per_counted),
         ns_per_ray,
         cpu_ns_per_ray: cpu_ns_per_ray(own),
         disturbance: disturbance(&own.rounds),
@@ -71,17 +88,25 @@ pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> Cl
         branch_misses_per_ray: counted(own, |counts| per_ray(counts.branch_misses?)),
         cache_misses_per_ray: counted(own, |counts| per_ray(counts.cache_misses?)),
         million_rays_per_second: ns_per_ray.and_then(rate),
-        speedup,
-        speedup_rays,
+        speedup: base.and_then(|base| ratio_of_estimates(&ray_times(base), &times)),
     }
 }
 
+/// The own time per ray of a class in nanoseconds, for each round.
+pub(super) fn ray_times(class: &ClassRecord) -> Rounds {
+    own_ns_per_ray(&class.rounds, class.rays, class.sample)
+}
+
 /// The own time per ray in nanoseconds, for each round; empty if a round has no rays.
-pub(super) fn own_ns_per_ray(rounds: &[Round], rays: u64) -> Vec<f64> {
-    if rays == 0 {
-        return Vec::new();
-    }
-    rounds.iter().map(|round| round.own_ns() as f64 / rays as f64).collect()
+pub(super) fn own_ns_per_ray(rounds: &[Round], rays: u64, sample: Option<BlockSample>) -> Rounds {
+    let rounds = if rays == 0 { &[] } else { rounds };
+    let per_ray = |round: &Round| round.own_ns() as f64 / rays as f64;
+    Rounds { values: rounds.iter().map(per_ray).collect(), center: center(sample) }
+}
+
+/// What of the rounds is the estimate for all recorded rays.
+fn center(sample: Option<BlockSample>) -> Center {
+    if sample.is_some() { Center::Mean } else { Center::Median }
 }
 
 /// Wall time over own time, in the median over the rounds.
@@ -96,29 +121,14 @@ fn disturbance(rounds: &[Round]) -> Option<f64> {
 
 /// Millions of rays per second from the time per ray.
 fn rate(ns_per_ray: Estimate) -> Option<Estimate> {
-    million_per_second(1, ns_per_ray.median)?;
+    million_per_second(1, ns_per_ray.value)?;
     Some(ns_per_ray.map(|ns| million_per_second(1, ns).unwrap_or(f64::MAX)))
-}
-
-/// The ratio to the base on the rays that both traced, and their number.
-fn speedup(base: &ClassRecord, own: &ClassRecord) -> (Option<Estimate>, Option<u64>) {
-    let ratio = |base: &[Round], own: &[Round], base_rays, own_rays| {
-        paired_ratio(&own_ns_per_ray(base, base_rays), &own_ns_per_ray(own, own_rays))
-    };
-    match &own.common {
-        Some(CommonRays { rays, own, base }) => (ratio(base, own, *rays, *rays), Some(*rays)),
-        None => {
-            let same = (base.rays == own.rays).then_some(own.rays);
-            (ratio(&base.rounds, &own.rounds, base.rays, own.rays), same)
-        }
-    }
 }
 
 /// Processor time per ray, if it was measured in every round.
 fn cpu_ns_per_ray(class: &ClassRecord) -> Option<Estimate> {
     let per_ray = |round: &Round| quotient(round.cpu_ns? as f64, class.rays as f64);
-    let rounds: Option<Vec<f64>> = class.rounds.iter().map(per_ray).collect();
-    estimate(&rounds?)
+    estimate_of(class, per_ray)
 }
 
 /// The estimate of something that the processor counted, if it did so in every round.
@@ -126,9 +136,13 @@ fn counted(
     class: &ClassRecord,
     value: impl Fn(&HardwareCounters) -> Option<f64>,
 ) -> Option<Estimate> {
-    let of_round = |round: &Round| value(round.hardware.as_ref()?);
-    let rounds: Option<Vec<f64>> = class.rounds.iter().map(of_round).collect();
-    estimate(&rounds?)
+    estimate_of(class, |round| value(round.hardware.as_ref()?))
+}
+
+/// The estimate of something that is known of every round.
+fn estimate_of(class: &ClassRecord, value: impl Fn(&Round) -> Option<f64>) -> Option<Estimate> {
+    let values: Option<Vec<f64>> = class.rounds.iter().map(value).collect();
+    Rounds { values: values?, center: center(class.sample) }.estimate()
 }
 
 /// `None` instead of infinity or NaN.
@@ -144,11 +158,12 @@ mod tests {
         ClassRecord {
             class: RayClass::View,
             rays,
+            sample: None,
+            counted_rays: 0,
             hits: rays / 4,
             boxes: Some(rays * 3),
             primitives: None,
             rounds: rounds(wall_ns),
-            common: None,
         }
     }
 
@@ -165,25 +180,30 @@ mod tests {
         };
         let (base, own) = (busy(10_000, 9_900), busy(60_000, 9_900));
         let figures = class_figures(&own, Some(&base));
-        assert_eq!(figures.speedup.unwrap().median, 1.0, "equal work took equal time");
-        assert_eq!(figures.ns_per_ray.unwrap().median, 99.0);
+        assert_eq!(figures.speedup.unwrap().value, 1.0, "equal work took equal time");
+        assert_eq!(figures.ns_per_ray.unwrap().value, 99.0);
         assert!(figures.is_disturbed() && !class_figures(&base, None).is_disturbed());
         // Two threads together have more processor time than the wall time of the round.
         let parallel = class_figures(&busy(10_000, 19_000), None);
-        assert_eq!(parallel.ns_per_ray.unwrap().median, 100.0);
+        assert_eq!(parallel.ns_per_ray.unwrap().value, 100.0);
         assert_eq!(parallel.disturbance, Some(1.0));
     }
 
     #[test]
-    fn ratios_are_of_the_rays_that_both_traced() {
-        let base = class(100, &[40_000; 6]);
-        let mut own = class(1_000, &[100_000; 6]);
-        assert_eq!(class_figures(&own, Some(&base)).speedup_rays, None, "of different rays");
-        let common = CommonRays { rays: 100, own: rounds(&[20_000; 6]), base: base.rounds.clone() };
-        own.common = Some(common);
+    fn ratios_are_of_estimates_for_all_recorded_rays() {
+        let mut base = class(100, &[40_000, 20_000, 30_000, 30_000, 20_000, 40_000]);
+        base.sample = Some(BlockSample { blocks: 10, rays_per_block: 10, of_rays: 1_000 });
+        base.counted_rays = 50;
+        let own = class(1_000, &[100_000; 6]);
         let figures = class_figures(&own, Some(&base));
-        assert_eq!((figures.speedup.unwrap().median, figures.speedup_rays), (2.0, Some(100)));
-        assert_eq!(figures.ns_per_ray.unwrap().median, 100.0, "all rays count for the time");
+        let speedup = figures.speedup.unwrap();
+        assert!((speedup.value - 3.0).abs() < 1e-12, "{speedup:?}");
+        assert!(speedup.supports_a_statement(), "{speedup:?}");
+        let base = class_figures(&base, None);
+        assert!(base.is_sampled() && !figures.is_sampled());
+        assert_eq!((base.rays, base.recorded_rays), (100, 1_000));
+        assert_eq!(base.boxes_per_ray, Some(6.0), "300 of 50 counted rays");
+        assert_eq!(base.ns_per_ray.unwrap().value, 300.0);
     }
 
     #[test]
@@ -191,9 +211,9 @@ mod tests {
         let base = class(100, &[40_000; 6]);
         let own = class(1_000, &[100_000; 6]);
         let figures = class_figures(&own, Some(&base));
-        assert_eq!(figures.ns_per_ray.unwrap().median, 100.0);
-        assert_eq!(figures.million_rays_per_second.unwrap().median, 10.0);
-        assert_eq!(figures.speedup.unwrap().median, 4.0);
+        assert_eq!(figures.ns_per_ray.unwrap().value, 100.0);
+        assert_eq!(figures.million_rays_per_second.unwrap().value, 10.0);
+        assert_eq!(figures.speedup.unwrap().value, 4.0);
         assert_eq!((figures.hit_share, figures.boxes_per_ray), (Some(0.25), Some(3.0)));
         assert_eq!((figures.primitives_per_ray, figures.cpu_ns_per_ray), (None, None));
     }
@@ -211,8 +231,8 @@ mod tests {
         }
         let figures = class_figures(&class, None);
         let ipc = figures.instructions_per_cycle.unwrap();
-        assert_eq!((ipc.median, ipc.rounds), (2.5, 6));
-        assert_eq!(figures.branch_misses_per_ray.unwrap().median, 1.5);
+        assert_eq!((ipc.value, ipc.rounds), (2.5, 6));
+        assert_eq!(figures.branch_misses_per_ray.unwrap().value, 1.5);
         assert_eq!(figures.cache_misses_per_ray, None, "not counted");
         class.rounds[3].hardware = None;
         let figures = class_figures(&class, None);

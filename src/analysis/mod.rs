@@ -6,6 +6,7 @@
 
 pub mod baseline;
 mod class;
+mod finding;
 mod noise;
 mod operation;
 mod overall;
@@ -19,6 +20,7 @@ use serde::Serialize;
 use crate::record::Comparison;
 
 pub use class::ClassFigures;
+pub use finding::Finding;
 pub use noise::{NoiseFigures, Pairing};
 pub use operation::OperationFigures;
 pub use overall::OverallFigures;
@@ -31,6 +33,8 @@ pub use sweep::{SweepCurve, SweepFigures, SweepValue};
 pub struct Analysis {
     /// One for each scene, in the record's order.
     pub scenes: Vec<SceneFigures>,
+    /// The best supported finding over all scenes; absent if no scene supports one.
+    pub finding: Option<Finding>,
     /// Each structure and class over all scenes.
     pub overall: Vec<OverallFigures>,
     /// One for each sweep, in the record's order.
@@ -53,6 +57,7 @@ impl Analysis {
         let operations: Vec<_> = operations.map(OperationFigures::of).collect();
         let scenes: Vec<SceneFigures> = comparison.scenes.iter().map(scene).collect();
         Self {
+            finding: finding::best_finding(&comparison.scenes),
             overall: overall::overall(&scenes, &comparison.base),
             scenes,
             sweeps: comparison.sweeps.iter().map(SweepFigures::of).collect(),

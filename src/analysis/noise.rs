@@ -98,14 +98,14 @@ impl<'a> Measured<'a> {
     fn for_equal_time(&self, all: &[Self]) -> Option<[NoiseFigures; 2]> {
         let base = || all.iter().filter(|other| other.point.sampling == BASE);
         let at_this_time = |value: fn(&Self) -> f64| {
-            let curve: Vec<_> = base().map(|own| (own.ns.median, value(own))).collect();
-            log_log_interpolate(&curve, self.ns.median)
+            let curve: Vec<_> = base().map(|own| (own.ns.value, value(own))).collect();
+            log_log_interpolate(&curve, self.ns.value)
         };
         let pixel_samples = at_this_time(|own| f64::from(own.point.pixel_samples))?;
-        let noise = at_this_time(|own| own.rmse.median)?;
+        let noise = at_this_time(|own| own.rmse.value)?;
         let rounds = base().map(|own| own.rmse.rounds).min()?;
-        let without_interval = |median: f64| Estimate { median, interval: None, rounds };
-        let ratio = without_interval(self.rmse.median / noise);
+        let without_interval = |median: f64| Estimate { value: median, interval: None, rounds };
+        let ratio = without_interval(self.rmse.value / noise);
         let base = NoiseFigures {
             sampling: BASE.to_owned(),
             pixel_samples,
@@ -140,16 +140,16 @@ mod tests {
             point("independent", 16, 400, 0.1),
         ];
         let figures = noise(&points);
-        let ratio = |figures: &NoiseFigures| figures.ratio.map(|ratio| ratio.median);
+        let ratio = |figures: &NoiseFigures| figures.ratio.map(|ratio| ratio.value);
         let samples: Vec<_> = figures.iter().take(4).map(ratio).collect();
         assert_eq!(samples, [Some(0.5), Some(0.3), None, None]);
         // 800 ns is outside the range of the base.
         let [own, base] = &figures[4..] else { panic!("{figures:?}") };
         assert_eq!((own.pairing, base.pairing), (Pairing::EqualTime, Pairing::EqualTime));
-        assert_eq!((own.ns.median, base.ns.median), (200.0, 200.0));
+        assert_eq!((own.ns.value, base.ns.value), (200.0, 200.0));
         assert!((base.pixel_samples - 8.0).abs() < 1e-9);
         let between = 0.2_f64 / 2.0_f64.sqrt();
-        assert!((base.rmse.median - between).abs() < 1e-12);
+        assert!((base.rmse.value - between).abs() < 1e-12);
         assert!((ratio(own).unwrap() - 0.1 / between).abs() < 1e-12);
     }
 

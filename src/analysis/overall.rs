@@ -15,7 +15,7 @@ pub struct OverallFigures {
     /// The geometric mean of the scenes' ratios: of ratios, the only mean that does not depend on the base (Fleming,
     /// Wallace: *How not to lie with statistics*, CACM 29(3), 1986).
     pub speedup: f64,
-    /// The number of these scenes: those in which the structure and the base traced this class.
+    /// The number of these scenes: those whose ratio for this class has an interval that supports a statement.
     pub scenes: u32,
 }
 
@@ -30,8 +30,12 @@ pub(super) fn overall(scenes: &[SceneFigures], base: &str) -> Vec<OverallFigures
         }
     }
     let mean = |structure: &str, class: RayClass| {
-        let ratio =
-            |scene: &&SceneFigures| Some(scene.structure(structure)?.class(class)?.speedup?.median);
+        let ratio = |scene: &&SceneFigures| {
+            let speedup = scene.structure(structure)?.class(class)?.speedup?;
+            // The base's ratio to itself is exactly 1, however few its rounds are.
+            let known = scene.base.as_deref() == Some(structure) || speedup.supports_a_statement();
+            known.then_some(speedup.value)
+        };
         let ratios: Vec<f64> = with_base.iter().filter_map(ratio).collect();
         let logarithms: f64 = ratios.iter().map(|ratio| ratio.ln()).sum();
         let speedup = (logarithms / ratios.len() as f64).exp();

@@ -39,8 +39,8 @@ pub struct StructureFigures {
     pub picture_render_ns: Option<Estimate>,
     /// How many times as fast as the base is with build and rendering.
     pub picture_speedup: Option<Estimate>,
-    /// Own time of the picture's mean ray in nanoseconds: the medians of the classes of
-    /// [`RayClass::RENDERED`], weighted by their rays.
+    /// Own time of the picture's mean ray in nanoseconds: the estimates of the classes of
+    /// [`RayClass::RENDERED`], weighted by their recorded rays; absent if the interval of one is missing or too wide.
     pub mean_ray_ns: Option<f64>,
     /// From how many of these rays on it is faster than the base, builds on all threads included; absent if one of
     /// these times has too few rounds for an interval.
@@ -125,7 +125,7 @@ impl StructureFigures {
     /// Build and mean ray, if both are known.
     #[must_use]
     pub fn cost(&self) -> Option<Cost> {
-        let build_ns = self.build_all_threads_ns.or(self.build_one_thread_ns)?.median;
+        let build_ns = self.build_all_threads_ns.or(self.build_one_thread_ns)?.value;
         Some(Cost { build_ns, ray_ns: self.mean_ray_ns? })
     }
 }
@@ -166,12 +166,14 @@ fn compare_costs(structures: &mut [StructureFigures], base: Option<&StructureRec
     }
 }
 
-/// The mean over the picture's rays of the medians of their classes; `None` if one is missing.
+/// The mean over the picture's recorded rays of the estimates of their classes; `None` if one is missing or too wide to
+/// be ranked by.
 fn mean_ray_ns(classes: &[ClassFigures]) -> Option<f64> {
     let (mut ns, mut rays) = (0.0, 0.0);
     for class in classes.iter().filter(|c| c.rays > 0 && RayClass::RENDERED.contains(&c.class)) {
-        ns += class.ns_per_ray?.median * class.rays as f64;
-        rays += class.rays as f64;
+        let recorded = class.recorded_rays as f64;
+        ns += class.ns_per_ray.filter(Estimate::supports_a_statement)?.value * recorded;
+        rays += recorded;
     }
     quotient(ns, rays)
 }

@@ -38,7 +38,7 @@ fn share(
     operations: &[OperationFigures],
     part: &FramePart,
 ) -> Option<f64> {
-    let once = operations.iter().find(|own| own.operation == part.operation)?.ns?.median;
+    let once = operations.iter().find(|own| own.operation == part.operation)?.ns?.value;
     let frame = chapter.noise.iter().find(|point| {
         (&point.scene, &point.sampling, point.pixel_samples)
             == (&part.scene, &part.sampling, part.pixel_samples)

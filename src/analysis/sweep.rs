@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::class::own_ns_per_ray;
-use super::statistics::{PowerLaw, estimate, log_log_fit};
+use super::statistics::{PowerLaw, log_log_fit};
 use crate::record::{Estimate, RayClass, Sweep, SweepPoint};
 
 /// The curves of a family of meshes.
@@ -24,7 +24,7 @@ pub struct SweepCurve {
     pub class: RayClass,
     /// The measurements, by growing size.
     pub values: Vec<SweepValue>,
-    /// The power law fitted to the medians of nanoseconds per ray against triangles.
+    /// The power law fitted to nanoseconds per ray against triangles, where intervals support a statement.
     pub fit: Option<PowerLaw>,
 }
 
@@ -35,6 +35,9 @@ pub struct SweepValue {
     pub triangles: u64,
     /// Own time per ray in nanoseconds.
     pub ns_per_ray: Estimate,
+    /// The exponent of the power law from the size before to this one: 0 is constant, 1 is linear. Absent for the first
+    /// size, and where the interval of either supports no statement.
+    pub slope: Option<f64>,
 }
 
 impl SweepFigures {
@@ -57,6 +60,10 @@ impl SweepFigures {
         }
         for curve in &mut curves {
             curve.values.sort_by_key(|value| value.triangles);
+            for place in 1..curve.values.len() {
+                curve.values[place].slope =
+                    fit(&curve.values[place - 1..=place]).map(|law| law.slope);
+            }
             curve.fit = fit(&curve.values);
         }
         Self { mesh: sweep.mesh.clone(), curves }
@@ -77,11 +84,12 @@ impl SweepFigures {
 }
 
 fn value(point: &SweepPoint) -> Option<SweepValue> {
-    let ns_per_ray = estimate(&own_ns_per_ray(&point.rounds, point.rays))?;
-    Some(SweepValue { triangles: point.triangles, ns_per_ray })
+    let ns_per_ray = own_ns_per_ray(&point.rounds, point.rays, point.sample).estimate()?;
+    Some(SweepValue { triangles: point.triangles, ns_per_ray, slope: None })
 }
 
 fn fit(values: &[SweepValue]) -> Option<PowerLaw> {
-    let point = |value: &SweepValue| (value.triangles as f64, value.ns_per_ray.median);
-    log_log_fit(&values.iter().map(point).collect::<Vec<_>>())
+    let supported = values.iter().filter(|value| value.ns_per_ray.supports_a_statement());
+    let point = |value: &SweepValue| (value.triangles as f64, value.ns_per_ray.value);
+    log_log_fit(&supported.map(point).collect::<Vec<_>>())
 }

@@ -1,7 +1,7 @@
 //! What all measurements in a scene share. Knows nothing of the steps that make them.
 
 use crate::render::Settings;
-use crate::scene::{Scene, Structure};
+use crate::scene::Scene;
 
 use super::budget::Budget;
 use super::plan::Plan;
@@ -14,8 +14,6 @@ pub(super) struct SceneContext<'a> {
     pub(super) scene: &'a Scene,
     pub(super) plan: &'a Plan,
     pub(super) pools: &'a Pools,
-    /// The structure that ratios are taken to, where it was measured.
-    pub(super) base: &'a str,
     pub(super) cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
@@ -36,10 +34,4 @@ impl<'a> SceneContext<'a> {
         repeat.rule.warmup = 0;
         repeat
     }
-}
-
-/// The structure that ratios are taken to: `none` if it is among them, else the first.
-pub(super) fn base_name(structures: &[Structure]) -> &'static str {
-    let none = structures.iter().find(|structure| structure.name == "none");
-    none.or(structures.first()).map_or("", |base| base.name)
 }

@@ -16,7 +16,8 @@
 //! | `candidate.rs`, `panics.rs` | a structure with its row of the report, and its panics |
 //! | `record_rays.rs`, `extra_rays.rs`, `trace.rs` | the same rays for all, and their results |
 //! | `proof.rs`, `agreement.rs` | whether results are equal, or a peer's close |
-//! | `rounds.rs`, `clock.rs`, `hardware.rs`, `trial.rs`, `replay.rs` | what is timed and counted |
+//! | `rounds.rs`, `clock.rs`, `hardware.rs` | how something is timed and counted |
+//! | `trial.rs`, `block_sample.rs`, `class_rounds.rs`, `replay.rs` | which rays are timed, and how often |
 //! | `render_picture.rs`, `picture_size.rs`, `picture_file.rs` | pictures |
 //! | `sweep.rs` | growth with the number of triangles |
 //! | `sampling_study/` | what random numbers and shuffling cost, and how much noise they leave |
@@ -60,8 +61,10 @@
 //! in full precision. `examples/custom_accel.rs` does all of this with a uniform grid.
 
 mod agreement;
+mod block_sample;
 mod budget;
 mod candidate;
+mod class_rounds;
 mod clock;
 mod commit;
 mod context;

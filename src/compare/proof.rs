@@ -172,6 +172,7 @@ pub(super) fn check_picture(
     proof.picture_hash = Some(picture_hash(own));
     let Ok(difference) = compare(expected, own) else { return };
     proof.picture_equal = Some(difference.differing == 0);
+    proof.picture_size = Some([own.width, own.height]);
     proof.differing_pixels = difference.differing;
     proof.largest_difference = f64::from(difference.largest.min(f32::MAX));
     if difference.differing > 0 {

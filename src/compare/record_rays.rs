@@ -15,12 +15,16 @@ use crate::scene::{Scene, Structure, TracedWorld};
 
 use super::context::SceneContext;
 use super::picture_size::fit_pixels;
+use super::trace::RAYS_PER_CALL;
 
 /// View samples of the small rendering that shows how many rays follow from each.
 const TRIAL_SAMPLES: u32 = 2_000;
 
 /// View samples of the recording, if few rays follow from each.
 const MOST_SAMPLES: u32 = 60_000;
+
+/// As many calls are kept at least: where fewer would be, pieces of calls are.
+const FEWEST_CALLS: usize = 32;
 
 /// The structure that traces during a recording.
 const RECORDING_STRUCTURE: Structure = Structure::new::<Bvh, Bvh>("bvh", "obvhs's binary tree");
@@ -125,8 +129,8 @@ impl<'a> Recorder<'a> {
         let opaque = !scene.has_transparency();
         let kept = self.kept.into_inner().unwrap_or_else(PoisonError::into_inner);
         let set = |(class, thinned): (RayClass, Thinned)| match class {
-            RayClass::Shadow if opaque => RaySet::any_hit(class, thinned.rays),
-            _ => RaySet::closest_hit(class, thinned.rays),
+            RayClass::Shadow if opaque => RaySet::any_hit(class, thinned.whole_calls()),
+            _ => RaySet::closest_hit(class, thinned.whole_calls()),
         };
         let sets = RayClass::RENDERED.into_iter().zip(kept).map(set);
         sets.filter(|set| !set.rays.is_empty()).collect()
@@ -146,11 +150,13 @@ impl render::Observer for Recorder<'_> {
     }
 }
 
-/// At most so many rays, evenly spread over all that are recorded: whenever there are too many, every
-/// second one is dropped, and from then on skipped.
+/// At most so many rays, in whole calls that are evenly spread over all that are recorded: whenever there are too many,
+/// every second call is dropped, and from then on skipped. Within a call rays stay as a renderer sends them.
 #[derive(Debug)]
 struct Thinned {
     rays: Vec<Ray>,
+    /// Rays of a call, or of a piece of one where few rays are kept.
+    call: usize,
     limit: usize,
     step: usize,
     seen: usize,
@@ -158,26 +164,39 @@ struct Thinned {
 
 impl Thinned {
     fn new(limit: usize) -> Self {
-        Self { rays: Vec::new(), limit: limit.max(1), step: 1, seen: 0 }
+        // Few whole calls would be a few places of the picture.
+        Self::in_calls(limit, RAYS_PER_CALL.min(limit / FEWEST_CALLS))
+    }
+
+    fn in_calls(limit: usize, call: usize) -> Self {
+        let call = call.max(1);
+        Self { rays: Vec::new(), call, limit: limit / call * call, step: 1, seen: 0 }
     }
 
     fn extend(&mut self, rays: &[Ray]) {
         for &ray in rays {
-            if self.seen.is_multiple_of(self.step) {
-                if self.rays.len() == self.limit {
-                    let mut place = 0;
-                    self.rays.retain(|_| {
-                        place += 1;
-                        place % 2 == 1
-                    });
-                    self.step *= 2;
-                }
-                if self.seen.is_multiple_of(self.step) {
-                    self.rays.push(ray);
-                }
+            let (call, first) = (self.seen / self.call, self.seen.is_multiple_of(self.call));
+            if first && call.is_multiple_of(self.step) && self.rays.len() >= self.limit.max(1) {
+                let mut place = 0;
+                self.rays.retain(|_| {
+                    place += 1;
+                    ((place - 1) / self.call).is_multiple_of(2)
+                });
+                self.step *= 2;
+            }
+            if call.is_multiple_of(self.step) {
+                self.rays.push(ray);
             }
             self.seen += 1;
         }
+    }
+
+    /// The rays of whole calls: of a last call with fewer rays, kernels could not make as much.
+    fn whole_calls(mut self) -> Vec<Ray> {
+        if self.rays.len() > self.call {
+            self.rays.truncate(self.rays.len() / self.call * self.call);
+        }
+        self.rays
     }
 }
 
@@ -198,11 +217,22 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_is_spread_over_all() {
-        let mut thinned = Thinned::new(10);
+    fn whole_calls_are_kept_and_spread_over_all() {
+        let mut thinned = Thinned::in_calls(13, 3);
         rays(95).chunks(7).for_each(|chunk| thinned.extend(chunk));
-        let kept: Vec<f32> = thinned.rays.iter().map(|ray| ray.origin.x).collect();
-        assert_eq!(kept, [0.0, 16.0, 32.0, 48.0, 64.0, 80.0]);
+        let kept: Vec<f32> = thinned.whole_calls().iter().map(|ray| ray.origin.x).collect();
+        // Every eighth call of three rays, of which the first two are whole or the last is cut off.
+        assert_eq!(kept, [0.0, 1.0, 2.0, 24.0, 25.0, 26.0, 48.0, 49.0, 50.0, 72.0, 73.0, 74.0]);
+    }
+
+    #[test]
+    fn a_single_call_is_kept_even_if_it_is_not_whole() {
+        let mut thinned = Thinned::in_calls(100, 10);
+        thinned.extend(&rays(7));
+        assert_eq!(thinned.whole_calls().len(), 7);
+        let mut few = Thinned::new(40);
+        few.extend(&rays(50));
+        assert_eq!(few.whole_calls().len(), 25, "every second of single rays");
     }
 
     #[test]

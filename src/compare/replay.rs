@@ -1,32 +1,24 @@
 //! The recorded rays of a class through all structures, in interleaved rounds on one thread.
 //!
-//! Where a structure would take too long for all rays, it traces as many of them, evenly spread,
-//! as its share of the budget allows. For the ratio, the quicker of it and the base then traces the
-//! rays of the slower too, in every round. A structure that has no time for even a few rays is left
-//! out of the class, and its row notes that.
+//! A structure that would take too long for all rays in every round traces a sample of them, drawn anew for each
+//! (`block_sample.rs`). One that has no time for even two small blocks is left out of the class, and its row notes that.
 
 use std::time::Duration;
 
+use crate::accel::Tracer;
 use crate::counters::Counts;
-use crate::math::Ray;
-use crate::record::{ClassRecord, CommonRays, Round};
+use crate::record::{ClassRecord, RayClass, Round};
 
+use super::block_sample::{Block, Sample};
 use super::budget::Budget;
 use super::candidate::Candidate;
+use super::class_rounds::{RoundShare, class_rounds, round_shares};
 use super::clock::timed;
 use super::context::SceneContext;
 use super::hardware::Hardware;
-use super::record_rays::{RaySet, spread};
-use super::rounds::interleaved;
+use super::record_rays::RaySet;
 use super::trace::{RayResults, trace};
-use super::trial::{RayTimes, affordable};
-
-/// With fewer rays than this a class is not measured.
-const FEWEST_RAYS: usize = 16;
-
-/// A round may always take this long, even if the budget is spent: a quick structure is not left
-/// out because others were slow.
-const LEAST_ROUND: Duration = Duration::from_millis(2);
+use super::trial::RayTimes;
 
 /// Measures the classes of the plan; each structure's row gets them. `times` are the structures'
 /// trials with all sets. `false` if it was cancelled before the last class.
@@ -54,24 +46,9 @@ pub(super) fn replay_all(
 /// A structure's part in the rounds of a class.
 struct Task {
     candidate: usize,
-    rays: Vec<Ray>,
-    /// The rays of other tasks that it traces too, for ratios on equal rays: of one task only,
-    /// unless it is the base's.
-    common: Vec<Common>,
+    sample: Sample,
+    counted: Sample,
     results: RayResults,
-}
-
-/// Rays that the base and another structure both trace, where one of them traces more.
-struct Common {
-    /// The task of the other, which is not the base.
-    task: usize,
-    rays: Vec<Ray>,
-}
-
-/// A round of a task: with all its rays, and with the rays of other tasks.
-struct TaskRound {
-    all: Round,
-    common: Vec<Round>,
 }
 
 /// Measures one class. `times` are the times of a ray of it, of each structure.
@@ -82,127 +59,94 @@ fn replay(
     times: &[Option<Duration>],
     budget: Budget,
 ) {
-    let rule = &context.plan.rounds;
-    let whole_rounds = rule.at_least + rule.warmup + 1; // one more to count
-    let share = budget.left().div_f64(f64::from(whole_rounds) * candidates.len().max(1) as f64);
-    let mut tasks = tasks(candidates, set, times, share.max(LEAST_ROUND));
-    let is_base = |task: &Task| candidates[task.candidate].name() == context.base;
-    let base = tasks.iter().position(is_base).unwrap_or_default();
-    pair_with_base(&mut tasks, base);
+    let seed = seed_of(context.plan.picture.seed, set.class);
+    let mut tasks = tasks(context, candidates, set, times, budget);
+    let samples: Vec<Sample> = tasks.iter().map(|task| task.sample).collect();
     let mut hardware = Hardware::of_this_thread();
-    let rounds = interleaved(tasks.len(), &context.rounds(budget), |task| {
-        let task = &mut tasks[task];
-        let round = run(&mut candidates[task.candidate], task, &mut hardware)?;
-        let time = round.all.own_ns();
-        Some((round, time))
+    let repeat = context.rounds(budget);
+    let rounds = class_rounds(&samples, set.rays.len(), seed, &repeat, |task, blocks| {
+        let Task { candidate, results, .. } = &mut tasks[task];
+        let candidate = &mut candidates[*candidate];
+        candidate.attempt(|tracer| run(tracer, set, blocks, results, &mut hardware))
     });
-    for (task, own) in tasks.iter().enumerate() {
-        let all = rounds[task].iter().map(|round| round.all).collect();
-        let common = common_rays(&tasks, &rounds, task, base);
-        note(&mut candidates[own.candidate], set, &own.rays, all, common);
+    for (task, rounds) in tasks.into_iter().zip(rounds) {
+        if !rounds.is_empty() {
+            note(&mut candidates[task.candidate], set, &task, seed, rounds);
+        }
     }
 }
 
-/// The structures that have time for the class in rounds of `round_time`, with as many rays as they
-/// have time for.
+/// The same blocks for all structures and in every run, others for each class.
+fn seed_of(seed: u64, class: RayClass) -> u64 {
+    seed ^ (class as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+}
+
+/// The structures that have time for the class, with as many rays as they have time for.
 fn tasks(
+    context: &SceneContext<'_>,
     candidates: &mut [Candidate<'_>],
     set: &RaySet,
     times: &[Option<Duration>],
-    round_time: Duration,
+    budget: Budget,
 ) -> Vec<Task> {
+    let able: Vec<(usize, Duration)> = candidates
+        .iter()
+        .zip(times)
+        .enumerate()
+        .filter_map(|(index, (candidate, time))| candidate.can_trace().then_some((index, (*time)?)))
+        .collect();
+    let times: Vec<Duration> = able.iter().map(|&(_, time)| time).collect();
+    let shares = round_shares(&times, set.rays.len(), &context.plan.rounds, budget);
     let mut tasks = Vec::new();
-    for (index, candidate) in candidates.iter_mut().enumerate() {
-        let Some(time) = times[index].filter(|_| candidate.can_trace()) else { continue };
-        let count = affordable(Some(time), round_time);
-        if count < FEWEST_RAYS.min(set.rays.len()) {
-            candidate.mark_too_slow(round_time);
-            continue;
+    for ((candidate, _), share) in able.into_iter().zip(shares) {
+        let RoundShare { time, sample, counted } = share;
+        match sample {
+            Some(sample) => tasks.push(Task { candidate, sample, counted, results: set.results() }),
+            None => candidates[candidate].mark_too_slow(time),
         }
-        let rays = spread(&set.rays, count);
-        tasks.push(Task { candidate: index, rays, common: Vec::new(), results: set.results() });
     }
     tasks
 }
 
-/// For the base and each other structure: gives the task with more rays the rays of the other too.
-fn pair_with_base(tasks: &mut [Task], base: usize) {
-    for task in (0..tasks.len()).filter(|&task| task != base) {
-        let (own, of_base) = (tasks[task].rays.len(), tasks[base].rays.len());
-        let (more, fewer) = if own > of_base { (task, base) } else { (base, task) };
-        if own != of_base {
-            let rays = tasks[fewer].rays.clone();
-            tasks[more].common.push(Common { task, rays });
-        }
-    }
-}
-
-/// A round of a task; `None` if the structure fails.
+/// Traces the blocks of a round: what warms up is neither timed nor counted.
 fn run(
-    candidate: &mut Candidate<'_>,
-    task: &mut Task,
+    tracer: &dyn Tracer,
+    set: &RaySet,
+    blocks: &[Block],
+    results: &mut RayResults,
     hardware: &mut Hardware,
-) -> Option<TaskRound> {
-    let Task { rays, common, results, .. } = task;
-    candidate.attempt(|tracer| {
+) -> Round {
+    let of_block = |block: &Block| {
+        trace(tracer, &set.rays[block.warmup.clone()], results, None);
         // The counters are started outside of what is timed.
-        let work = || timed(|| trace(tracer, rays, results, None));
-        let (((), all), counts) = hardware.count(work);
-        let common = common
-            .iter()
-            .map(|common| timed(|| trace(tracer, &common.rays, results, None)).1)
-            .collect();
-        TaskRound { all: Round { hardware: counts, ..all }, common }
-    })
-}
-
-/// What a task and the base's did with the rays that both traced, where these are not all.
-fn common_rays(
-    tasks: &[Task],
-    rounds: &[Vec<TaskRound>],
-    task: usize,
-    base: usize,
-) -> Option<CommonRays> {
-    let of = |tracing: usize| {
-        let place = tasks[tracing].common.iter().position(|common| common.task == task)?;
-        Some(rounds[tracing].iter().map(|round| round.common[place]).collect())
+        let work = || timed(|| trace(tracer, &set.rays[block.timed.clone()], results, None));
+        let (((), round), counts) = hardware.count(work);
+        Round { hardware: counts, ..round }
     };
-    let all = |tracing: usize| rounds[tracing].iter().map(|round| round.all).collect();
-    if task == base || tasks[task].rays.len() == tasks[base].rays.len() {
-        return None;
-    }
-    let rays = tasks[task].rays.len().min(tasks[base].rays.len()) as u64;
-    let (own, base) = match of(task) {
-        Some(own) => (own, all(base)),
-        None => (all(task), of(base)?),
-    };
-    Some(CommonRays { rays, own, base })
+    blocks.iter().map(of_block).reduce(Round::plus).unwrap_or_default()
 }
 
 /// Counts what the rays test, and adds the class to the structure's row.
-fn note(
-    candidate: &mut Candidate<'_>,
-    set: &RaySet,
-    rays: &[Ray],
-    rounds: Vec<Round>,
-    common: Option<CommonRays>,
-) {
-    if rounds.is_empty() {
-        return;
-    }
+fn note(candidate: &mut Candidate<'_>, set: &RaySet, task: &Task, seed: u64, rounds: Vec<Round>) {
+    let all = set.rays.len();
+    let blocks = task.counted.draw(all, seed, 0);
     let counted = candidate.attempt(|tracer| {
-        let (mut results, mut counts) = (set.results(), Counts::default());
-        trace(tracer, rays, &mut results, Some(&mut counts));
-        (results.hit_count(), counts)
+        let (mut results, mut counts, mut hits) = (set.results(), Counts::default(), 0);
+        for block in &blocks {
+            trace(tracer, &set.rays[block.timed.clone()], &mut results, Some(&mut counts));
+            hits += results.hit_count();
+        }
+        (hits, counts)
     });
     let tests = counted.filter(|_| !candidate.is_peer()).map(|(_, counts)| counts);
     candidate.record.classes.push(ClassRecord {
         class: set.class,
-        rays: rays.len() as u64,
+        rays: task.sample.timed_rays(all) as u64,
+        sample: task.sample.record(all),
+        counted_rays: task.counted.timed_rays(all) as u64,
         hits: counted.map_or(0, |(hits, _)| hits),
         boxes: tests.map(|counts| counts.boxes),
         primitives: tests.map(|counts| counts.primitives),
         rounds,
-        common,
     });
 }

@@ -3,7 +3,7 @@
 //! Round n of one task runs beside round n of every other, and each round begins with another
 //! task. Knows nothing of rays or structures: a task is a number.
 
-use crate::analysis::statistics::estimate;
+use crate::analysis::statistics::{Center, Rounds};
 use crate::record::RoundRule;
 
 use super::budget::Budget;
@@ -23,12 +23,14 @@ pub(super) struct Repeat<'a> {
     pub(super) budget: Budget,
     /// Whether to stop at once.
     pub(super) cancelled: &'a dyn Fn() -> bool,
+    /// What of a task's rounds is its estimate; the median for tasks beyond the end.
+    pub(super) centers: &'a [Center],
 }
 
 impl<'a> Repeat<'a> {
     /// Rounds by a rule, while the budget lasts.
     pub(super) fn new(rule: RoundRule, budget: Budget, cancelled: &'a dyn Fn() -> bool) -> Self {
-        Self { rule, at_most: MOST_ROUNDS, budget, cancelled }
+        Self { rule, at_most: MOST_ROUNDS, budget, cancelled, centers: &[] }
     }
 }
 
@@ -45,22 +47,24 @@ pub fn fixed_rounds<R>(
     let at_least = u32::try_from(rounds).unwrap_or(u32::MAX);
     let rule = RoundRule { warmup: 1, at_least, relative_interval: 0.0 };
     let repeat = Repeat { at_most: rounds, ..Repeat::new(rule, Budget::endless(), &|| false) };
-    interleaved(tasks, &repeat, |task| Some((run(task), 0)))
+    interleaved(tasks, &repeat, |task, _| Some((run(task), 0)))
 }
 
 /// Runs rounds of `tasks` tasks, and keeps every one but those that warm up: entry `[task][n]` is
 /// round n of a task.
 ///
 /// Rounds end when the rule is met or the budget is spent, but not before the first round that
-/// counts is whole. `run` is given the task, and returns its round and the time of it, or `None`
-/// for a task that takes no part in further rounds.
+/// counts is whole. `run` is given the task and the number of the round, and returns its round and the
+/// time of it, or `None` for a task that takes no part in further rounds.
 pub(super) fn interleaved<R>(
     tasks: usize,
     repeat: &Repeat<'_>,
-    mut run: impl FnMut(usize) -> Option<(R, u64)>,
+    mut run: impl FnMut(usize, usize) -> Option<(R, u64)>,
 ) -> Vec<Vec<R>> {
     let mut rounds: Vec<Vec<R>> = (0..tasks).map(|_| Vec::new()).collect();
-    let mut times: Vec<Vec<f64>> = vec![Vec::new(); tasks];
+    let center = |task| repeat.centers.get(task).copied().unwrap_or(Center::Median);
+    let no_rounds = |task| Rounds { values: Vec::new(), center: center(task) };
+    let mut times: Vec<Rounds> = (0..tasks).map(no_rounds).collect();
     let mut ended: Vec<bool> = vec![false; tasks];
     let warmup = repeat.rule.warmup as usize;
     for number in 0.. {
@@ -80,14 +84,14 @@ pub(super) fn interleaved<R>(
             if (repeat.cancelled)() {
                 return rounds;
             }
-            round[task] = run(task);
+            round[task] = run(task, number);
             ended[task] = round[task].is_none();
         }
         if number >= warmup {
             for (task, result) in round.into_iter().enumerate() {
                 if let Some((round, time)) = result {
                     rounds[task].push(round);
-                    times[task].push(time as f64);
+                    times[task].values.push(time as f64);
                 }
             }
         }
@@ -95,14 +99,14 @@ pub(super) fn interleaved<R>(
     rounds
 }
 
-/// Whether there are enough rounds, and the interval of every task's median is narrow enough.
-fn is_enough(repeat: &Repeat<'_>, kept: usize, times: &[Vec<f64>], ended: &[bool]) -> bool {
+/// Whether there are enough rounds, and the interval of every task's estimate is narrow enough.
+fn is_enough(repeat: &Repeat<'_>, kept: usize, times: &[Rounds], ended: &[bool]) -> bool {
     let rule = &repeat.rule;
     if kept < rule.at_least as usize {
         return false;
     }
-    let narrow = |times: &[f64]| {
-        let width = estimate(times).and_then(|estimate| estimate.relative_half_width());
+    let narrow = |times: &Rounds| {
+        let width = times.estimate().and_then(|estimate| estimate.relative_half_width());
         width.is_some_and(|width| width <= rule.relative_interval)
     };
     let tasks = || times.iter().zip(ended).filter(|(_, ended)| !**ended);
@@ -125,7 +129,7 @@ mod tests {
     #[test]
     fn rounds_are_interleaved_rotated_and_kept() {
         let order = RefCell::new(Vec::new());
-        let rounds = interleaved(3, &repeat(1, 10), |task| {
+        let rounds = interleaved(3, &repeat(1, 10), |task, _| {
             order.borrow_mut().push(task);
             Some((order.borrow().len(), 1_000))
         });
@@ -153,13 +157,13 @@ mod tests {
     #[test]
     fn a_spent_budget_leaves_one_round() {
         let repeat = Repeat { budget: Budget::from_now(Some(Duration::ZERO)), ..repeat(0, 10) };
-        assert_eq!(interleaved(2, &repeat, |task| Some((task, 1))), [[0], [1]]);
+        assert_eq!(interleaved(2, &repeat, |task, _| Some((task, 1))), [[0], [1]]);
     }
 
     #[test]
     fn a_task_that_fails_ends_and_the_others_go_on() {
         let calls = Cell::new(0);
-        let rounds = interleaved(2, &repeat(0, 10), |task| {
+        let rounds = interleaved(2, &repeat(0, 10), |task, _| {
             calls.set(calls.get() + 1);
             (task == 1 || calls.get() < 4).then_some(((), 5))
         });
@@ -171,7 +175,7 @@ mod tests {
         let calls = Cell::new(0);
         let cancelled = || calls.get() == 3;
         let repeat = Repeat { cancelled: &cancelled, ..repeat(0, 10) };
-        let rounds = interleaved(2, &repeat, |_| {
+        let rounds = interleaved(2, &repeat, |_, _| {
             calls.set(calls.get() + 1);
             Some(((), 5))
         });

@@ -8,17 +8,16 @@ use thiserror::Error;
 
 use crate::image_io::Picture;
 use crate::record::{Comparison, Options, Proof, Run, SceneRecord, Status, StructureRecord};
-use crate::scene::Structure;
+use crate::scene::{Scene, Structure};
 
 use super::budget::Budget;
-use super::context::base_name;
 use super::machine::build_of_program;
 use super::observer::Observer;
-use super::plan::Plan;
+use super::plan::{Plan, SceneInput};
 use super::pools::Pools;
 use super::progress::PartProgress;
 use super::sampling_study::sampling_study;
-use super::scene::compare_scene;
+use super::scene::{SceneResult, compare_scene};
 use super::sweep::sweep;
 
 /// What was measured.
@@ -93,11 +92,15 @@ pub fn run(
     let mut comparison = Comparison::new(describe(plan), base_name(structures));
     let mut pictures = Vec::new();
     let mut parts = Parts::new(plan, observer);
-    for input in &plan.scenes {
-        let result = parts.next(|budget, progress| {
+    let mut results: Vec<Option<SceneResult>> = plan.scenes.iter().map(|_| None).collect();
+    for place in cheapest_first(&plan.scenes) {
+        let input = &plan.scenes[place];
+        results[place] = parts.next(|budget, progress| {
             compare_scene(input, structures, plan, &pools, budget, progress)
         });
-        let Some(result) = result else { break };
+    }
+    // What was measured before a stop is kept.
+    for result in results.into_iter().flatten() {
         comparison.scenes.push(result.record);
         comparison.notes.extend(result.notes);
         pictures.extend(result.pictures);
@@ -120,6 +123,15 @@ pub fn run(
     comparison.run.elapsed_seconds = start.elapsed().as_secs_f64();
     comparison.notes.extend(general_notes());
     Ok(ComparisonResult { comparison, pictures })
+}
+
+/// The order in which scenes are measured: those that take the least time first, so that what they leave of their shares
+/// goes to those that need more. The number of what is to be hit says roughly which these are.
+fn cheapest_first(scenes: &[SceneInput]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..scenes.len()).collect();
+    let primitives = |scene: &Scene| scene.triangle_count() + scene.objects.len() as u64;
+    order.sort_by_key(|&place| primitives(&scenes[place].scene));
+    order
 }
 
 /// The parts of a plan, one after the other: its scenes, the sweep, the study of sampling.
@@ -162,6 +174,12 @@ impl<'a> Parts<'a> {
         let floor = whole.div_f64(2.0 * self.count.max(1) as f64);
         Budget::from_now(Some(share.max(floor)))
     }
+}
+
+/// The structure that ratios are taken to: `none` if it is among them, else the first.
+fn base_name(structures: &[Structure]) -> &'static str {
+    let none = structures.iter().find(|structure| structure.name == "none");
+    none.or(structures.first()).map_or("", |base| base.name)
 }
 
 /// There must be a structure, and no two structures or scenes of one name.
@@ -209,10 +227,10 @@ fn general_notes() -> Vec<String> {
     vec![
         "Rays were replayed on one thread, in calls of 1024 as a renderer's waves send them."
             .into(),
-        "A structure that had no time for all recorded rays of a class traced as many as its row \
-         shows, evenly spread over them. Its ratio to the base is that of the rays that both \
-         traced, in every round. Its ns/ray comes from its own, sparser sample, so it also \
-         carries sampling error."
+        "The rays of a scene are the same whatever the budget. A structure that had no time for all \
+         of them in every round traced a random, stratified sample of blocks of consecutive rays, \
+         drawn anew for each round. Its times are estimates for all recorded rays, and their \
+         intervals include the choice of the blocks."
             .into(),
     ]
 }

@@ -17,7 +17,7 @@ use crate::scene::Structure;
 
 use super::budget::Budget;
 use super::candidate::Candidate;
-use super::context::{SceneContext, base_name};
+use super::context::SceneContext;
 use super::picture_file::{heatmap_name, picture_file, picture_name};
 use super::plan::{Plan, SceneInput};
 use super::pools::Pools;
@@ -43,8 +43,7 @@ pub(super) fn compare_scene(
     progress: &PartProgress<'_>,
 ) -> SceneResult {
     let cancelled = || progress.cancelled();
-    let base = base_name(structures);
-    let context = SceneContext { scene: &input.scene, plan, pools, base, cancelled: &cancelled };
+    let context = SceneContext { scene: &input.scene, plan, pools, cancelled: &cancelled };
     let mut candidates: Vec<Candidate<'_>> = structures.iter().map(Candidate::new).collect();
     let mut result = SceneResult::of(input);
     let begin = |step: &str| {
@@ -74,7 +73,7 @@ fn take_steps(
     begin("building")?;
     building::build_all(context, candidates);
     begin("recording rays")?;
-    let rays = recording::record_rays(context, candidates, budget);
+    let rays = recording::record_rays(context, candidates);
     begin("comparing hits")?;
     result.record.proof = comparing_hits::compare_hits(context, candidates, &rays, budget);
     begin("rendering")?;

@@ -20,7 +20,7 @@ use crate::scene::{Scene, SceneError, Structure};
 use super::budget::Budget;
 use super::candidate::Candidate;
 use super::clock::nanoseconds;
-use super::context::{SceneContext, base_name};
+use super::context::SceneContext;
 use super::plan::{Plan, SweepPlan};
 use super::pools::Pools;
 use super::progress::PartProgress;
@@ -32,10 +32,9 @@ use super::trial::{RayTimes, ray_times, time_of_all};
 /// Side of the picture whose rays are recorded.
 const SIDE: u32 = 200;
 
-/// Rays that the recording may trace for each second of a size's budget, and its limits.
-const TRACED_PER_SECOND: f64 = 50_000.0;
-const LEAST_TRACED: f64 = 5e4;
-const MOST_TRACED: f64 = 1e6;
+/// Rays that the recording of a size may trace, whatever the budget: figures are of the rays, so these must not depend
+/// on it.
+const TRACED: u64 = 100_000;
 
 /// Builds and traces all sizes.
 pub(super) fn sweep(
@@ -57,8 +56,7 @@ pub(super) fn sweep(
             continue;
         };
         let cancelled = || progress.cancelled();
-        let base = base_name(structures);
-        let context = SceneContext { scene: &scene, plan, pools, base, cancelled: &cancelled };
+        let context = SceneContext { scene: &scene, plan, pools, cancelled: &cancelled };
         let share = budget.share(share_of_first(&sweep.sizes[done..]));
         let candidates = measure(&context, &left, share, &mut record.rays_checked);
         let triangles = scene.triangle_count();
@@ -85,7 +83,7 @@ fn measure<'a>(
     budget: Budget,
     rays_checked: &mut u64,
 ) -> Vec<Candidate<'a>> {
-    let sets = rays(context, budget);
+    let sets = rays(context);
     let mut candidates: Vec<Candidate<'_>> = left.iter().map(|&own| Candidate::new(own)).collect();
     for candidate in &mut candidates {
         context.pools.all.install(|| candidate.build(context.scene, &context.plan.build));
@@ -121,13 +119,11 @@ fn compare_hits(
 }
 
 /// The rays of a small rendering, of the classes of the plan.
-fn rays(context: &SceneContext<'_>, budget: Budget) -> Vec<RaySet> {
+fn rays(context: &SceneContext<'_>) -> Vec<RaySet> {
     let SceneContext { scene, plan, .. } = context;
     let tracer = recording_tracer(context);
-    let traced = budget.left().as_secs_f64() * TRACED_PER_SECOND;
     let settings = Settings { seed: plan.picture.seed, ..Settings::of_scene(scene) };
-    let traced = traced.clamp(LEAST_TRACED, MOST_TRACED) as u64;
-    let mut sets = record(context, &*tracer, &settings, traced).sets;
+    let mut sets = record(context, &*tracer, &settings, TRACED).sets;
     sets.retain(|set| plan.classes.contains(&set.class));
     sets
 }
@@ -142,6 +138,7 @@ fn note(record: &mut Sweep, candidate: &Candidate<'_>, triangles: u64) -> bool {
             structure: name.to_owned(),
             class: class.class,
             rays: class.rays,
+            sample: class.sample,
             rounds: class.rounds.clone(),
             build_ns: nanoseconds(report.time),
             index_bytes: report.objects.bytes + report.meshes.bytes,

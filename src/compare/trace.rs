@@ -9,7 +9,7 @@ use crate::math::{Hit, Ray};
 use super::record_rays::RaySet;
 
 /// Rays in a call, as in a renderer's wave.
-const RAYS_PER_CALL: usize = 1024;
+pub(super) const RAYS_PER_CALL: usize = 1024;
 
 /// The results of a query for some rays, in their order.
 #[derive(Clone, Debug)]

@@ -8,7 +8,7 @@ use crate::math::Ray;
 
 use super::candidate::Candidate;
 use super::clock::timed;
-use super::record_rays::{RaySet, spread};
+use super::record_rays::RaySet;
 use super::trace::trace;
 
 /// For each set of rays, the time of one of its rays; `None` where the structure failed.
@@ -16,6 +16,9 @@ pub(super) type RayTimes = Vec<Option<Duration>>;
 
 /// A trial ends once it has taken this long.
 const TRIAL_TIME: Duration = Duration::from_millis(3);
+
+/// In how many places of the sequence a trial's rays lie, at most.
+const MOST_RUNS: usize = 4;
 
 /// How many times as long on the wall as of its own a trial may take, at most.
 const MOST_WAITING: u64 = 4;
@@ -47,7 +50,7 @@ fn ray_time(
     candidate.attempt(|tracer| {
         let mut count = 1;
         loop {
-            let rays = spread(&set.rays, count);
+            let rays = runs(&set.rays, count);
             // The quicker of two, unless the first took long: caches were cold, or another program
             // had the processor.
             let first = time(tracer, set, &rays);
@@ -59,6 +62,17 @@ fn ray_time(
             count *= 4;
         }
     })
+}
+
+/// At most `count` rays, in a few runs of consecutive ones, as a renderer sends them: single rays would take longer.
+fn runs(rays: &[Ray], count: usize) -> Vec<Ray> {
+    if count >= rays.len() {
+        return rays.to_vec();
+    }
+    let runs = count.clamp(1, MOST_RUNS);
+    let length = count / runs;
+    let run = |run: usize| &rays[run * rays.len() / runs..][..length];
+    (0..runs).flat_map(run).copied().collect()
 }
 
 /// The time of some rays. What other programs take of the processor now, they will take of the
@@ -81,4 +95,21 @@ pub(super) fn time_of_all(times: &[Option<Duration>], sets: &[RaySet]) -> Durati
 /// How many rays a structure can trace in some time; none if a ray's time is not known.
 pub(super) fn affordable(ray_time: Option<Duration>, time: Duration) -> usize {
     ray_time.map_or(0, |ray| (time.as_secs_f64() / ray.as_secs_f64().max(1e-12)) as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::*;
+
+    #[test]
+    fn a_trial_has_runs_of_rays_and_at_last_all() {
+        let rays: Vec<Ray> = (0..18).map(|i| Ray::new(Vec3::splat(i as f32), Vec3::X)).collect();
+        let origins = |count| runs(&rays, count).iter().map(|ray| ray.origin.x).collect::<Vec<_>>();
+        assert_eq!(origins(1), [0.0]);
+        assert_eq!(origins(8), [0.0, 1.0, 4.0, 5.0, 9.0, 10.0, 13.0, 14.0]);
+        assert_eq!(origins(18).len(), 18);
+        assert_eq!(origins(64).len(), 18);
+    }
 }

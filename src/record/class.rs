@@ -4,41 +4,51 @@ use serde::{Deserialize, Serialize};
 
 use super::RayClass;
 
-/// The rays of a class with a structure: the same rays with all structures of a scene.
+/// The rays of a class with a structure: the same rays with all structures of a scene, or a random sample of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ClassRecord {
     /// The class.
     pub class: RayClass,
     /// How many rays each round traced.
     pub rays: u64,
+    /// The sample that each round drew; absent if each traced all recorded rays.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sample: Option<BlockSample>,
+    /// The rays that the next three fields count; 0 in older records, where it is `rays`.
+    #[serde(default)]
+    pub counted_rays: u64,
     /// How many of them hit something; for shadow rays, how many were blocked.
     pub hits: u64,
-    /// Box tests of all rays of a round; absent if they were not counted.
+    /// Their box tests; absent if they were not counted.
     pub boxes: Option<u64>,
-    /// Primitive tests of all rays of a round; absent if they were not counted.
+    /// Their primitive tests; absent if they were not counted.
     pub primitives: Option<u64>,
     /// The rounds, in the order of measurement. Rounds are interleaved: round n of all structures was measured
     /// together, so ratios are taken between rounds of the same number.
     pub rounds: Vec<Round>,
-    /// The rays that both this structure and the base traced, if one of them traced more than the other; absent if they
-    /// traced the same rays, and in older records.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub common: Option<CommonRays>,
 }
 
-/// Rays that both a structure and the base traced. A ratio needs equal rays: other rays meet other parts of a scene,
-/// and a sparser sample shares less of the caches.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct CommonRays {
-    /// How many rays there are.
-    pub rays: u64,
-    /// The structure's rounds with them.
-    pub own: Vec<Round>,
-    /// The base's rounds with them.
-    pub base: Vec<Round>,
+/// A stratified random sample of blocks of consecutive rays, drawn anew for each round: the recorded rays are divided
+/// into as many equal parts as there are blocks, and a block is drawn from each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct BlockSample {
+    /// How many blocks a round traced.
+    pub blocks: u64,
+    /// How many consecutive rays a block has.
+    pub rays_per_block: u64,
+    /// How many rays were recorded.
+    pub of_rays: u64,
 }
 
-/// One pass of all rays of a class through a structure.
+impl ClassRecord {
+    /// How many rays of the class were recorded: its times are estimates for all of them.
+    #[must_use]
+    pub fn recorded_rays(&self) -> u64 {
+        self.sample.map_or(self.rays, |sample| sample.of_rays)
+    }
+}
+
+/// One pass of the rays of a class through a structure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Round {
     /// Wall time in nanoseconds.
@@ -58,6 +68,22 @@ impl Round {
     pub fn own_ns(&self) -> u64 {
         self.cpu_ns.map_or(self.wall_ns, |cpu| cpu.min(self.wall_ns))
     }
+
+    /// Both together, one after the other. What either did not measure is absent.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        let both = self.hardware.zip(other.hardware);
+        Self {
+            wall_ns: self.wall_ns.saturating_add(other.wall_ns),
+            cpu_ns: sum(self.cpu_ns, other.cpu_ns),
+            hardware: both.map(|(own, other)| own.plus(other)),
+        }
+    }
+}
+
+/// The sum, if both are known.
+fn sum(a: Option<u64>, b: Option<u64>) -> Option<u64> {
+    Some(a?.saturating_add(b?))
 }
 
 /// Events of a round that the processor counted; each is absent where the system does not permit it.
@@ -71,4 +97,17 @@ pub struct HardwareCounters {
     pub branch_misses: Option<u64>,
     /// Reads that missed the last-level cache.
     pub cache_misses: Option<u64>,
+}
+
+impl HardwareCounters {
+    /// Both together. What either did not count is absent.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            cycles: sum(self.cycles, other.cycles),
+            instructions: sum(self.instructions, other.instructions),
+            branch_misses: sum(self.branch_misses, other.branch_misses),
+            cache_misses: sum(self.cache_misses, other.cache_misses),
+        }
+    }
 }

@@ -6,7 +6,7 @@ use super::{Baseline, Run, SamplingChapter, SceneRecord, Sweep};
 
 /// The version of the record. It is raised when a field changes its meaning or is removed. A new field that may be
 /// absent does not raise it, and neither does a new name for a field whose old name is still read.
-pub const SCHEMA_VERSION: u32 = 1;
+pub const SCHEMA_VERSION: u32 = 2;
 
 /// The same work, measured with several structures.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -22,7 +22,7 @@ mod structure;
 mod sweep;
 
 pub use baseline::{Baseline, Change, Changes};
-pub use class::{ClassRecord, CommonRays, HardwareCounters, Round};
+pub use class::{BlockSample, ClassRecord, HardwareCounters, Round};
 pub use comparison::{Comparison, SCHEMA_VERSION};
 pub use estimate::{Estimate, Interval};
 pub use machine::Machine;

@@ -65,8 +65,8 @@ pub struct BuildRecord {
     pub one_thread_ns: Vec<u64>,
     /// On all threads.
     pub all_threads_ns: Vec<u64>,
-    /// The stages of one build on all threads, that of the structure that was traced; none if the structure does not
-    /// report them, and in older records.
+    /// The stages of the builds on all threads, each the median of the builds that were timed; none if the structure
+    /// does not report them, and in older records.
     #[serde(default)]
     pub stages: Vec<BuildStage>,
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{RayClass, Round};
+use super::{BlockSample, RayClass, Round};
 
 /// A family of generated meshes, built and traced at growing sizes.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -30,6 +30,9 @@ pub struct SweepPoint {
     pub class: RayClass,
     /// How many rays each round traced.
     pub rays: u64,
+    /// The sample that each round drew; absent if each traced all recorded rays.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sample: Option<BlockSample>,
     /// The rounds, interleaved as in [`ClassRecord`](super::ClassRecord).
     pub rounds: Vec<Round>,
     /// Wall time of the structure's build on all threads, in nanoseconds.

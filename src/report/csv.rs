@@ -19,6 +19,7 @@ const HEADS: [&str; 37] = [
     "status",
     "class",
     "rays",
+    "recorded_rays",
     "hit_share",
     "boxes_per_ray",
     "primitives_per_ray",
@@ -38,7 +39,6 @@ const HEADS: [&str; 37] = [
     "speedup",
     "speedup_low",
     "speedup_high",
-    "speedup_rays",
     "build_one_thread_ns",
     "build_all_threads_ns",
     "index_bytes",
@@ -79,7 +79,7 @@ fn row(
     let rate = parts(class.and_then(|class| class.million_rays_per_second));
     let speedup = parts(class.and_then(|class| class.speedup));
     let shape = record.shape.as_ref();
-    let [ns_median, ns_low, ns_high] = parts(ns);
+    let [ns_value, ns_low, ns_high] = parts(ns);
     let [rate, rate_low, rate_high] = rate;
     let [speedup, speedup_low, speedup_high] = speedup;
     let [picture, picture_low, picture_high] = parts(own.picture_ns);
@@ -90,18 +90,19 @@ fn row(
         status(&record.status).to_owned(),
         class.map_or_else(String::new, |class| class.class.name().to_owned()),
         whole(class.map(|class| class.rays)),
+        whole(class.map(|class| class.recorded_rays)),
         number(class.and_then(|class| class.hit_share)),
         number(class.and_then(|class| class.boxes_per_ray)),
         number(class.and_then(|class| class.primitives_per_ray)),
         whole(ns.map(|estimate| estimate.rounds as u64)),
-        ns_median,
+        ns_value,
         ns_low,
         ns_high,
-        median(class.and_then(|class| class.cpu_ns_per_ray)),
+        value(class.and_then(|class| class.cpu_ns_per_ray)),
         number(class.and_then(|class| class.disturbance)),
-        median(class.and_then(|class| class.instructions_per_cycle)),
-        median(class.and_then(|class| class.branch_misses_per_ray)),
-        median(class.and_then(|class| class.cache_misses_per_ray)),
+        value(class.and_then(|class| class.instructions_per_cycle)),
+        value(class.and_then(|class| class.branch_misses_per_ray)),
+        value(class.and_then(|class| class.cache_misses_per_ray)),
         rate,
         rate_low,
         rate_high,
@@ -109,9 +110,8 @@ fn row(
         speedup,
         speedup_low,
         speedup_high,
-        whole(class.and_then(|class| class.speedup_rays)),
-        median(own.build_one_thread_ns),
-        median(own.build_all_threads_ns),
+        value(own.build_one_thread_ns),
+        value(own.build_all_threads_ns),
         whole(record.memory.as_ref().map(|memory: &Memory| memory.index_bytes)),
         number(own.bytes_per_triangle),
         number(shape.and_then(|shape| shape.sah_cost)),
@@ -134,18 +134,18 @@ fn status(status: &Status) -> &'static str {
     }
 }
 
-/// Median, low and high.
+/// Value, low and high.
 fn parts(estimate: Option<Estimate>) -> [String; 3] {
     let interval = estimate.and_then(|estimate| estimate.interval);
     [
-        median(estimate),
+        value(estimate),
         number(interval.map(|interval| interval.low)),
         number(interval.map(|interval| interval.high)),
     ]
 }
 
-fn median(estimate: Option<Estimate>) -> String {
-    number(estimate.map(|estimate| estimate.median))
+fn value(estimate: Option<Estimate>) -> String {
+    number(estimate.map(|estimate| estimate.value))
 }
 
 fn number(value: Option<f64>) -> String {

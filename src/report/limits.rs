@@ -11,9 +11,11 @@ const ALWAYS: [&str; 8] = [
     "Rays were recorded once for each class and replayed to every structure in interleaved rounds. \
      So ratios do not include what slows all structures alike. A replay only traces: it does not \
      shade or make new rays, and its caches are warm.",
-    "Intervals are exact 95 % intervals of the median by order statistics. Intervals of changes \
-     against a baseline are bootstrap intervals. They show the noise of this run, not the effect of \
-     another build, memory layout or machine.",
+    "Where each round traced all recorded rays, the estimate is the median, with its exact 95 % \
+     interval by order statistics. Where each round traced a random sample, it is the mean, with \
+     Student's interval of its logarithm over the rounds: it includes the choice of the rays. \
+     Intervals of changes against a baseline are bootstrap intervals, or of such means. They show \
+     the noise of this run, not the effect of another build, memory layout or machine.",
     "Intervals assume independent rounds, but consecutive rounds are not quite independent. Rounds \
      end once intervals are narrow. Both make intervals a little too narrow.",
     "Times of rays are wall times without waiting for a processor that other programs used. All \
@@ -26,6 +28,9 @@ const ALWAYS: [&str; 8] = [
     "The structures were written or adapted by the authors of this program, who may know some of \
      them better than others.",
 ];
+
+/// A machine with a larger load is busy.
+const BUSY: f64 = 0.5;
 
 /// General limits first, then those of this record.
 pub(super) fn limits(report: &Report<'_>) -> Vec<String> {
@@ -53,7 +58,7 @@ fn machine_limits(comparison: &Comparison) -> Vec<String> {
              between rounds."
         )),
     }
-    if let Some([load, ..]) = machine.load_at_start.filter(|load| load[0] > 0.5) {
+    if let Some([load, ..]) = machine.load_at_start.filter(|load| load[0] > BUSY) {
         limits.push(format!("The machine was busy at the start: its load was {load:.2}."));
     }
     if run.commit.as_deref().is_some_and(|commit| commit.ends_with("-dirty")) {
@@ -73,27 +78,61 @@ fn base_limits(comparison: &Comparison, analysis: &Analysis) -> Vec<String> {
     analysis.scenes.iter().filter_map(other).collect()
 }
 
-/// Measurements with too few rounds, wide intervals or much waiting.
+/// Measurements with too few rounds, wide intervals, samples or much waiting.
 fn round_limits(comparison: &Comparison, analysis: &Analysis) -> Vec<String> {
-    let classes: Vec<&ClassFigures> = analysis
-        .scenes
-        .iter()
-        .flat_map(|scene| &scene.structures)
-        .flat_map(|structure| &structure.classes)
-        .collect();
     let goal = comparison.run.rounds.relative_interval;
+    let classes = classes(analysis);
     let width = |class: &ClassFigures| class.ns_per_ray.and_then(|e| e.relative_half_width());
-    let without = classes.iter().filter(|class| width(class).is_none()).count();
-    let wide = classes.iter().filter(|class| width(class).is_some_and(|w| w > goal)).count();
-    let disturbed = classes.iter().filter(|class| class.is_disturbed()).count();
+    let counts = [
+        count(&classes, ClassFigures::is_disturbed),
+        count(&classes, ClassFigures::is_sampled),
+        count(&classes, |class| width(class).is_none()),
+        count(&classes, |class| width(class).is_some_and(|w| w > goal)),
+    ];
+    let what = [
+        "had to wait for the processor: their wall time is more than 1.1 times their own time (†)",
+        "are estimates from samples of the recorded rays",
+        "have too few rounds for an interval",
+        "have a wider interval than the target",
+    ];
+    let some = counts.into_iter().zip(what).filter(|(n, _)| *n > 0);
+    some.map(|(n, what)| format!("{n} of {} measurements of rays {what}.", classes.len())).collect()
+}
+
+/// What weakens the verdict of this record, in a sentence to stand beside it; `None` if nothing does.
+pub(super) fn weaknesses(report: &Report<'_>) -> Option<String> {
+    let Report { comparison, analysis, .. } = report;
+    let classes = classes(analysis);
     let all = classes.len();
-    [
-        (disturbed, "had to wait for the processor: their wall time is more than 1.1 times their own time (†)"),
-        (without, "have too few rounds for an interval"),
-        (wide, "have a wider interval than the target"),
+    let ratio = |class: &ClassFigures| class.speedup.or(class.ns_per_ray);
+    let unsupported =
+        count(&classes, |class| ratio(class).is_none_or(|e| !e.supports_a_statement()));
+    let sampled = count(&classes, ClassFigures::is_sampled);
+    let disturbed = count(&classes, ClassFigures::is_disturbed);
+    let load = comparison.run.machine.load_at_start.map(|load| load[0]).filter(|load| *load > BUSY);
+    let parts: Vec<String> = [
+        comparison.run.partial.then(|| "the comparison was stopped early".to_owned()),
+        load.map(|load| format!("the machine was busy at the start (load {load:.2})")),
+        (disturbed > 0)
+            .then(|| format!("{disturbed} of {all} measurements had to wait for the processor")),
+        (unsupported > 0).then(|| {
+            format!("{unsupported} of {all} ratios have too few rounds or too wide an interval")
+        }),
+        (sampled > 0)
+            .then(|| format!("{sampled} of {all} measurements are of samples of the rays")),
     ]
     .into_iter()
-    .filter(|(n, _)| *n > 0)
-    .map(|(n, what)| format!("{n} of {all} measurements of rays {what}."))
-    .collect()
+    .flatten()
+    .collect();
+    (!parts.is_empty()).then(|| format!("What weakens this: {}.", parts.join("; ")))
+}
+
+/// All measurements of rays in scenes.
+fn classes(analysis: &Analysis) -> Vec<&ClassFigures> {
+    let structures = analysis.scenes.iter().flat_map(|scene| &scene.structures);
+    structures.flat_map(|structure| &structure.classes).collect()
+}
+
+fn count(classes: &[&ClassFigures], fits: impl Fn(&ClassFigures) -> bool) -> usize {
+    classes.iter().filter(|class| fits(class)).count()
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::Report;
-use super::limits::limits;
+use super::limits::{limits, weaknesses};
 use super::numbers;
 use super::sampling_verdict::sampling_verdict;
 use super::tables::{self, Cell, Table};
@@ -15,6 +15,9 @@ use crate::record::{Comparison, SceneRecord};
 pub(super) fn write(report: &Report<'_>) -> String {
     let Report { comparison, analysis, .. } = report;
     let mut text = format!("# srt compares\n\n{}\n", escaped(&verdict(report)));
+    if let Some(weaknesses) = weaknesses(report) {
+        let _ = write!(text, "\n{}\n", escaped(&weaknesses));
+    }
     if comparison.run.partial {
         text += "\n**Partial: the comparison was stopped before its plan was done.**\n";
     }

@@ -10,7 +10,7 @@
 //!
 //! let comparison = Comparison::new(Run::default(), "none");
 //! let report = Report::new(&comparison);
-//! assert_eq!(report.verdict(), "nothing was traced; no pictures were compared.");
+//! assert_eq!(report.verdict(), "nothing was traced; no results were compared.");
 //! assert_eq!(read_json(&report.json()?)?, comparison);
 //! assert!(report.html(&Pictures::new()).starts_with("<!DOCTYPE html>"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -61,12 +61,11 @@ impl<'a> Report<'a> {
         self.comparison
     }
 
-    /// The comparison in one sentence: which structure is how many times as fast as the base, on which rays, with which
-    /// interval, and whether the pictures are equal.
+    /// The comparison in one sentence: which structure is how many times as fast as which other, on which rays, with
+    /// which interval, and whether the pictures are equal.
     ///
-    /// It is about the first scene with enough rounds, about view rays if any were traced, and about the fastest
-    /// structure; without scenes, about how cost grows. If results differ it states only that, because times of unequal
-    /// work cannot be compared.
+    /// It is the best supported finding over all scenes ([`Finding`](crate::analysis::Finding)); without scenes, how
+    /// cost grows. If results differ it states only that, because times of unequal work cannot be compared.
     #[must_use]
     pub fn verdict(&self) -> String {
         verdict::verdict(self)

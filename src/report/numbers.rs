@@ -1,7 +1,7 @@
 //! Numbers as people read them. Only this file rounds, so that all reports and the terminal show the same numbers.
 //!
 //! Tables show three or four digits with a unit; CSV and JSON have numbers in full precision. A spread `low–high` has
-//! the decimals and the unit of its median.
+//! the decimals and the unit of its value.
 
 use crate::record::Estimate;
 
@@ -45,6 +45,11 @@ pub(crate) fn whole(n: u64) -> String {
 /// A number of things, in the plural unless it is 1.
 pub(crate) fn things(n: u64, thing: &str) -> String {
     format!("{} {thing}{}", whole(n), if n == 1 { "" } else { "s" })
+}
+
+/// The sides of a picture: `300 × 200`.
+pub(crate) fn size([width, height]: [u32; 2]) -> String {
+    format!("{width}\u{a0}×\u{a0}{height}")
 }
 
 /// Splits the digits before the point into groups of three.
@@ -117,24 +122,24 @@ pub(crate) fn small_percent(share: f64) -> String {
     format!("{}\u{a0}%", figures(share * 100.0))
 }
 
-/// A median without its interval, with three digits.
-pub(crate) fn median(estimate: Estimate) -> String {
-    figures(estimate.median)
+/// A value without its interval, with three digits.
+pub(crate) fn value(estimate: Estimate) -> String {
+    figures(estimate.value)
 }
 
-/// The interval of an estimate with the decimals of its median: `3.02–3.21`.
+/// The interval of an estimate with the decimals of its value: `3.02–3.21`.
 pub(crate) fn spread(estimate: Estimate) -> Option<String> {
     let interval = estimate.interval?;
-    let places = decimals(estimate.median, 5);
+    let places = decimals(estimate.value, 5);
     let show = |value: f64| grouped(&format!("{value:.places$}"));
     Some(format!("{}–{}", show(interval.low), show(interval.high)))
 }
 
-/// Median and interval in the unit of the median: `45.6 ms (45.2–46.0)`.
+/// Value and interval in the unit of the value: `45.6 ms (45.2–46.0)`.
 pub(crate) fn time_estimate(estimate: Estimate) -> (String, Option<String>) {
-    let (name, size) = unit_of(estimate.median, TIME);
+    let (name, size) = unit_of(estimate.value, TIME);
     let scaled = estimate.map(|ns| ns / size);
-    (format!("{}\u{a0}{name}", median(scaled)), spread(scaled))
+    (format!("{}\u{a0}{name}", value(scaled)), spread(scaled))
 }
 
 /// A number in full precision: reading it gives the same number.
@@ -173,8 +178,8 @@ mod tests {
     #[test]
     fn an_interval_has_the_decimals_of_its_median() {
         let interval = Some(Interval { low: 9.9, high: 10.25 });
-        let estimate = Estimate { median: 10.0, interval, rounds: 10 };
-        assert_eq!(median(estimate), "10.0");
+        let estimate = Estimate { value: 10.0, interval, rounds: 10 };
+        assert_eq!(super::value(estimate), "10.0");
         assert_eq!(spread(estimate).as_deref(), Some("9.9–10.2"));
         let (text, range) = time_estimate(estimate.map(|x| x * 1e6));
         assert_eq!((text.as_str(), range.as_deref()), ("10.0\u{a0}ms", Some("9.9–10.2")));

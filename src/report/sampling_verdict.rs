@@ -18,7 +18,7 @@ pub(super) fn sampling_verdict(report: &Report<'_>) -> Option<String> {
             let is_own = figures.pairing == pairing
                 && figures.sampling == own
                 && figures.pixel_samples == f64::from(samples);
-            is_own.then_some(figures.ratio?.median)
+            is_own.then_some(figures.ratio?.value)
         };
         median(&analysis.noise.iter().filter_map(ratio).collect::<Vec<_>>()).map(numbers::figures)
     };

@@ -1,8 +1,9 @@
-//! Record → text for a terminal: an aligned table for each scene, and the verdict.
+//! Record → text for a terminal: an aligned table for each scene and sweep, and the verdict.
 
 use std::fmt::Write;
 
 use super::Report;
+use super::limits::weaknesses;
 use super::numbers::{self, NOTHING};
 use super::sampling_verdict::sampling_verdict;
 use super::tables::{self, Cell, Column, Table};
@@ -11,7 +12,8 @@ use crate::analysis::baseline::{improvements, regressions};
 use crate::analysis::{SceneFigures, StructureFigures};
 use crate::record::{Baseline, Estimate, RayClass, SceneRecord, Status};
 
-/// Million rays per second by class, build, memory and time to the picture of each structure; then the verdicts.
+/// Million rays per second by class, build, memory and time to the picture of each structure; growth with the number of
+/// triangles; then the verdicts.
 pub(super) fn write(report: &Report<'_>) -> String {
     let Report { comparison, analysis, .. } = report;
     let mut text = String::new();
@@ -23,8 +25,19 @@ pub(super) fn write(report: &Report<'_>) -> String {
         }
         text.push('\n');
     }
+    for table in analysis.sweeps.iter().flat_map(tables::size_tables) {
+        let _ = writeln!(text, "{}", table.title);
+        for line in table_lines(&table).lines() {
+            let _ = writeln!(text, "  {line}");
+        }
+        text.push('\n');
+    }
     text += &verdict(report);
     text.push('\n');
+    if let Some(weaknesses) = weaknesses(report) {
+        text += &weaknesses;
+        text.push('\n');
+    }
     if let Some(verdict) = sampling_verdict(report) {
         text += &verdict;
         text.push('\n');
@@ -44,7 +57,7 @@ pub(super) fn write_changes(baseline: &Baseline) -> String {
     ] {
         for change in list {
             let (times, spread) =
-                (numbers::median(change.slowdown), numbers::spread(change.slowdown));
+                (numbers::value(change.slowdown), numbers::spread(change.slowdown));
             let _ = writeln!(
                 text,
                 "{word}: {} rays of {} with {} take {times} × the baseline's time (95 % {})",
@@ -78,7 +91,7 @@ fn scene_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
     let mut table = Table::new("", "", &heads);
     let rows = scene.structures.iter().zip(&figures.structures).map(|(record, own)| {
         let memory = record.memory.as_ref().map(|memory| numbers::bytes(memory.index_bytes));
-        let time = |ns: Option<Estimate>| or_dash(ns.map(|ns| numbers::time(ns.median)));
+        let time = |ns: Option<Estimate>| or_dash(ns.map(|ns| numbers::time(ns.value)));
         let mut row = vec![record.name.clone()];
         row.extend(classes.iter().map(|&class| rate(own, class)));
         row.push(or_dash(classes.first().and_then(|&class| speedup(own, class))));
@@ -94,14 +107,23 @@ fn scene_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
 
 fn rate(own: &StructureFigures, class: RayClass) -> String {
     let rate = own.class(class).and_then(|class| class.million_rays_per_second);
-    or_dash(rate.map(numbers::median))
+    or_dash(rate.map(compared))
 }
 
 fn speedup(own: &StructureFigures, class: RayClass) -> Option<String> {
-    own.class(class)?.speedup.map(numbers::median)
+    own.class(class)?.speedup.map(compared)
 }
 
-/// Whether the results are equal, or what went wrong.
+/// A number that structures are compared by, if its interval is narrow enough for that; where there is none, the number
+/// alone.
+fn compared(estimate: Estimate) -> String {
+    match estimate.interval {
+        Some(_) if !estimate.supports_a_statement() => tables::TOO_WIDE.to_owned(),
+        _ => numbers::value(estimate),
+    }
+}
+
+/// In how much the results were compared, or what went wrong.
 fn remark(scene: &SceneRecord, structure: &str, status: &Status) -> String {
     let proof = scene.proof.as_ref();
     let peer = proof.and_then(|proof| proof.peer(structure));
@@ -113,8 +135,10 @@ fn remark(scene: &SceneRecord, structure: &str, status: &Status) -> String {
         (_, Some(entry)) if !entry.holds() => "DIFFERS".to_owned(),
         (Status::Stopped, _) => "stopped".to_owned(),
         (Status::Ok, Some(_)) if is_only => "reference".to_owned(),
-        (Status::Ok, Some(entry)) if entry.picture_equal == Some(true) => "equal".to_owned(),
-        (Status::Ok, Some(entry)) if entry.rays_checked > 0 => "hits equal".to_owned(),
+        (Status::Ok, Some(entry)) if tables::compared_without_difference(entry).is_some() => {
+            let compared = tables::compared_without_difference(entry).unwrap_or_default();
+            format!("no difference in {compared}")
+        }
         (Status::Ok, _) => peer.map_or_else(|| NOTHING.to_owned(), tables::agreement),
     }
 }

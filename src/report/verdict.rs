@@ -1,8 +1,8 @@
 //! The comparison in one plain sentence.
 
 use super::{Report, numbers};
-use crate::analysis::{ClassFigures, SceneFigures, StructureFigures, SweepFigures};
-use crate::record::{Comparison, Proof, RayClass, SceneRecord, Status, StructureRecord};
+use crate::analysis::{Analysis, Finding, SceneFigures, StructureFigures, SweepFigures};
+use crate::record::{Comparison, Proof, SceneRecord, Status, StructureProof, StructureRecord};
 
 /// How many scenes without a whole proof are named; further ones are counted.
 const NAMED_SCENES: usize = 3;
@@ -15,28 +15,20 @@ pub(super) fn verdict(report: &Report<'_>) -> String {
     }
 }
 
-/// The verdict's claim, and the rest: of how many pictures equality was proved.
+/// The verdict's claim, and the rest: in how much there was no difference.
 pub(super) fn headline(report: &Report<'_>) -> (String, Option<String>) {
     let Report { comparison, analysis, .. } = report;
     let partial = if comparison.run.partial { "Stopped early: " } else { "" };
     if let Some(difference) = difference(comparison) {
         return (format!("{partial}{difference}"), None);
     }
-    let without_scenes = comparison.scenes.is_empty();
-    let growth = || analysis.sweeps.iter().filter(|_| without_scenes).find_map(growth);
-    let scenes = analysis.scenes.iter().zip(&comparison.scenes);
-    let speeds: Vec<_> = scenes.filter_map(|(figures, scene)| speed(figures, scene)).collect();
-    let chosen = speeds.iter().find(|speed| speed.is_ok()).or(speeds.first()).cloned();
-    let speed = chosen.map(|speed| speed.unwrap_or_else(|too_few| too_few));
-    let speed = speed.or_else(growth).unwrap_or_else(|| {
-        let nothing = "no two structures traced the same rays";
-        if analysis.scenes.iter().any(|scene| scene.base.is_some()) {
-            nothing.to_owned()
-        } else {
-            "nothing was traced".to_owned()
-        }
-    });
-    let equality = equality(&comparison.scenes);
+    let growth = || analysis.sweeps.iter().find_map(growth);
+    let speed = match &analysis.finding {
+        Some(finding) => found(finding),
+        None if comparison.scenes.is_empty() => growth().unwrap_or_else(nothing_traced),
+        None => nothing_found(analysis),
+    };
+    let equality = equality(comparison);
     match failures(comparison) {
         Some(failed) => (format!("{partial}{failed}"), Some(format!("{speed}; {equality}."))),
         None => (format!("{partial}{speed}"), Some(format!("{equality}."))),
@@ -72,29 +64,49 @@ fn failures(comparison: &Comparison) -> Option<String> {
     (!texts.is_empty()).then(|| texts.join("; "))
 }
 
-/// The fastest structure of a scene against its base, peers left out; an error if there were too few rounds.
-fn speed(scene: &SceneFigures, record: &SceneRecord) -> Option<Result<String, String>> {
-    let base = scene.base.as_deref()?;
-    let class = scene.classes().into_iter().next()?;
-    let (fastest, figures) = fastest(scene, record, class)?;
-    let traced = scene.structures.iter().filter(|structure| structure.class(class).is_some());
-    let others = traced.count() > 1;
-    let scene = &scene.scene;
-    let too_few = || Err(format!("{scene} has too few rounds for intervals"));
-    if fastest.structure == base {
-        let has_interval = figures.ns_per_ray.is_some_and(|estimate| estimate.interval.is_some());
-        let none =
-            format!("no structure traces {} rays of {scene} faster than {base}", class.name());
-        return others.then(|| if has_interval { Ok(none) } else { too_few() });
+/// The best supported finding, in words.
+fn found(finding: &Finding) -> String {
+    let Finding { faster, slower, class, ratio, lowest, highest, scenes, rays } = finding;
+    let place = match &scenes[..] {
+        [scene] => format!("in {scene}"),
+        many => format!(
+            "in the geometric mean of {} scenes ({}–{}\u{a0}×)",
+            many.len(),
+            numbers::figures(*lowest),
+            numbers::figures(*highest)
+        ),
+    };
+    let class = class.name();
+    let rays = format!("{} rays", numbers::count(*rays));
+    let spread = numbers::spread(*ratio).unwrap_or_default();
+    let value = numbers::value(*ratio);
+    if finding.is_certain() {
+        format!(
+            "{faster} traces {class} rays {value}\u{a0}× (95\u{a0}%\u{a0}{spread}) as fast as {slower}, {place}, by {rays}"
+        )
+    } else {
+        format!(
+            "{faster} and {slower} trace {class} rays equally fast within the error: {value}\u{a0}× \
+             (95\u{a0}%\u{a0}{spread}), {place}, by {rays}"
+        )
     }
-    let speedup = figures.speedup?;
-    let Some(spread) = numbers::spread(speedup) else { return Some(too_few()) };
-    Some(Ok(format!(
-        "{} traces {} rays of {scene} {}\u{a0}× (95\u{a0}%\u{a0}{spread}) as fast as {base}",
-        fastest.structure,
-        class.name(),
-        numbers::median(speedup),
-    )))
+}
+
+/// Why there is no finding.
+fn nothing_found(analysis: &Analysis) -> String {
+    let traced = |structure: &&StructureFigures| !structure.classes.is_empty();
+    let several = |scene: &SceneFigures| scene.structures.iter().filter(traced).count() > 1;
+    if analysis.scenes.iter().any(several) {
+        "the rounds are too few, or their intervals too wide, for any statement".to_owned()
+    } else if analysis.scenes.iter().any(|scene| scene.base.is_some()) {
+        "no two structures traced the same rays".to_owned()
+    } else {
+        nothing_traced()
+    }
+}
+
+fn nothing_traced() -> String {
+    "nothing was traced".to_owned()
 }
 
 /// The fastest structure at the largest size of a sweep, and how its cost grows.
@@ -103,7 +115,7 @@ fn growth(sweep: &SweepFigures) -> Option<String> {
     let ends = sweep.curves.iter().filter(|curve| curve.class == class);
     let ends = ends.filter_map(|curve| Some((curve, curve.values.last()?)));
     let (curve, end) = ends.min_by(|(_, a), (_, b)| {
-        let time = a.ns_per_ray.median.total_cmp(&b.ns_per_ray.median);
+        let time = a.ns_per_ray.value.total_cmp(&b.ns_per_ray.value);
         b.triangles.cmp(&a.triangles).then(time)
     })?;
     let slope = curve.fit.map_or_else(String::new, |fit| {
@@ -115,27 +127,8 @@ fn growth(sweep: &SweepFigures) -> Option<String> {
         class.name(),
         sweep.mesh,
         numbers::count(end.triangles),
-        numbers::time(end.ns_per_ray.median),
+        numbers::time(end.ns_per_ray.value),
     ))
-}
-
-fn fastest<'a>(
-    scene: &'a SceneFigures,
-    record: &SceneRecord,
-    class: RayClass,
-) -> Option<(&'a StructureFigures, &'a ClassFigures)> {
-    let is_peer = |name: &str| record.structure(name).is_some_and(|row| row.peer);
-    let time = |figures: &ClassFigures| figures.ns_per_ray.map(|estimate| estimate.median);
-    scene
-        .structures
-        .iter()
-        .filter(|structure| !is_peer(&structure.structure))
-        .filter_map(|structure| Some((structure, structure.class(class)?)))
-        .filter(|(_, figures)| time(figures).is_some())
-        .min_by(|(_, a), (_, b)| {
-            let (a, b) = (time(a).unwrap_or(f64::MAX), time(b).unwrap_or(f64::MAX));
-            a.total_cmp(&b)
-        })
 }
 
 /// The first structure whose results differ, if any.
@@ -157,30 +150,39 @@ fn difference(comparison: &Comparison) -> Option<String> {
     None
 }
 
-/// How many pictures were proved equal, and why the others were not.
-fn equality(scenes: &[SceneRecord]) -> String {
-    let compared = |scene: &SceneRecord| {
-        let equal = |proof: &Proof| proof.structures.iter().any(|e| e.picture_equal == Some(true));
-        scene.proof.as_ref().is_some_and(|proof| proof.structures.len() > 1 && equal(proof))
+/// In how many rays and pictures there was no difference, and which pictures were not compared in full.
+fn equality(comparison: &Comparison) -> String {
+    let scenes = &comparison.scenes;
+    let others = |proof: &Proof| -> u64 {
+        let is_other = |entry: &&StructureProof| entry.structure != proof.reference;
+        proof.structures.iter().filter(is_other).map(|entry| entry.rays_checked).sum()
     };
+    let of_scenes: u64 = scenes.iter().filter_map(|scene| scene.proof.as_ref()).map(others).sum();
+    let of_sweeps: u64 = comparison.sweeps.iter().map(|sweep| sweep.rays_checked).sum();
+    let rays = of_scenes + of_sweeps;
     let unproved: Vec<String> = scenes.iter().filter_map(unproved).collect();
-    let proved = scenes.len() - unproved.len();
-    if !scenes.iter().any(compared) {
-        return "no pictures were compared".to_owned();
+    let (proved, all) = (scenes.len() - unproved.len(), scenes.len());
+    let rays = (rays > 0).then(|| format!("{} compared rays", numbers::count(rays)));
+    let pictures = match (proved, all) {
+        (0, _) => None,
+        (1, 1) => Some("the whole picture".to_owned()),
+        (proved, all) if proved == all => Some(format!("{all} whole pictures")),
+        (proved, all) => Some(format!("{proved} of {all} whole pictures")),
+    };
+    let compared: Vec<String> = rays.into_iter().chain(pictures).collect();
+    if compared.is_empty() {
+        return "no results were compared".to_owned();
     }
+    let without = format!("no difference in {}", compared.join(" and "));
     if unproved.is_empty() {
-        return "pictures equal bit for bit".to_owned();
+        return without;
     }
     let others = match unproved.len().saturating_sub(NAMED_SCENES) {
         0 => String::new(),
         others => format!(" and {others} more"),
     };
-    format!(
-        "{proved} of {} pictures proved equal bit for bit, {} not compared in full: {}{others}",
-        scenes.len(),
-        unproved.len(),
-        unproved[..unproved.len().min(NAMED_SCENES)].join(", "),
-    )
+    let named = unproved[..unproved.len().min(NAMED_SCENES)].join(", ");
+    format!("{without}; not compared in a whole picture: {named}{others}")
 }
 
 /// A scene whose picture was not compared in full with every structure, and what the others rendered instead; `None` if

@@ -41,7 +41,7 @@ fn a_study_gives_figures_and_noise_that_falls() {
     assert_eq!(chapter.default, Sampling::default().name());
     assert_eq!(analysis.operations.len(), 6);
     for own in &analysis.operations {
-        let ns = own.ns.unwrap().median;
+        let ns = own.ns.unwrap().value;
         assert!(ns > 0.0 && ns.is_finite(), "{}: {ns}", own.operation);
     }
     assert_eq!(analysis.shares.len(), 4 + 2);
@@ -56,7 +56,7 @@ fn a_study_gives_figures_and_noise_that_falls() {
             own.sampling == sampling.name() && own.pairing == Pairing::EqualSamples
         };
         let noise: Vec<f64> =
-            analysis.noise.iter().filter(is_own).map(|own| own.rmse.median).collect();
+            analysis.noise.iter().filter(is_own).map(|own| own.rmse.value).collect();
         assert_eq!(noise.len(), 6);
         assert!(noise.windows(2).all(|pair| pair[1] < pair[0]), "{sampling:?}: {noise:?}");
         assert!(noise[5] > converged.rmse, "{noise:?} against {}", converged.rmse);

@@ -1,4 +1,4 @@
-//! Structures whose rays take long: a small budget is kept, ratios are those of equal rays, and a
+//! Structures whose rays take long: a small budget is kept, their rays are samples of all, and a
 //! witness shows what few rays of the reference do not.
 
 use std::ops::{ControlFlow, Range};
@@ -97,31 +97,24 @@ fn a_ray_that_is_beyond_the_budget_is_traced_once() {
 }
 
 #[test]
-fn a_ratio_is_that_of_rays_that_both_traced() {
+fn a_slow_structure_traces_samples_and_its_ratio_is_that_of_all_rays() {
     let slow = Structure::new::<Slow<2_000>, Exhaustive>("none", "two milliseconds a ray");
     let result = run(&view_plan(), &[named("bvh"), slow], &Silent).unwrap();
     let scene = &result.comparison.scenes[0];
-    let (bvh, slow) = (scene.structure("bvh").unwrap(), scene.structure("none").unwrap());
+    let class = |name: &str| scene.structure(name).unwrap().class(RayClass::View).unwrap();
+    let (own, base) = (class("bvh"), class("none"));
+    assert_eq!(own.sample, None, "it has time for all rays");
+    let sample = base.sample.unwrap();
+    assert_eq!((base.rays, sample.of_rays), (sample.blocks * sample.rays_per_block, own.rays));
+    assert!(base.rays >= 16 && 2 * base.rays <= own.rays, "{} and {}", base.rays, own.rays);
+    assert!(base.counted_rays >= base.rays);
+    assert_eq!(base.primitives, Some(4 * base.counted_rays), "every object for every ray");
     let figures = Analysis::of(&result.comparison);
-    let (base, own) = (slow.class(RayClass::View).unwrap(), bvh.class(RayClass::View).unwrap());
-    assert!(base.rays < own.rays, "{} and {}", base.rays, own.rays);
-    let common = own.common.as_ref().unwrap();
-    assert_eq!(common.rays, base.rays);
-    assert_eq!((common.own.len(), &common.base), (own.rounds.len(), &base.rounds));
-    assert_eq!(base.common, None);
-    let speedup = figures.scenes[0].structure("bvh").unwrap().class(RayClass::View).unwrap();
-    assert_eq!(speedup.speedup_rays, Some(base.rays));
-}
-
-#[test]
-fn the_base_traces_the_rays_of_slower_ones_too() {
-    let slow = Structure::new::<Slow<2_000>, Exhaustive>("slow", "two milliseconds a ray");
-    let result = run(&view_plan(), &[named("bvh"), slow], &Silent).unwrap();
-    let scene = &result.comparison.scenes[0];
-    let own = scene.structure("slow").unwrap().class(RayClass::View).unwrap();
-    let common = own.common.as_ref().unwrap();
-    assert_eq!((common.rays, &common.own), (own.rays, &own.rounds));
-    assert_eq!(common.base.len(), own.rounds.len());
+    let of = |name: &str| figures.scenes[0].structure(name).unwrap().class(RayClass::View).unwrap();
+    let (own, base) = (of("bvh"), of("none"));
+    let times = base.ns_per_ray.unwrap().value / own.ns_per_ray.unwrap().value;
+    assert!((own.speedup.unwrap().value / times - 1.0).abs() < 1e-9, "{own:?}");
+    assert!(base.ns_per_ray.unwrap().value > 2e6, "{base:?}");
 }
 
 #[test]

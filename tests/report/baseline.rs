@@ -42,7 +42,7 @@ fn a_regression_is_named_where_the_interval_excludes_the_threshold() {
     assert_eq!(named.len(), 1);
     assert_eq!((named[0].scene.as_str(), named[0].structure.as_str()), ("bunny", "bvh"));
     assert_eq!(named[0].class, RayClass::View);
-    assert!((named[0].slowdown.median - 1.3).abs() < 1e-6);
+    assert!((named[0].slowdown.value - 1.3).abs() < 1e-6);
     let at_the_median = compare(&sample::full(), &slower(1.3), 0.3);
     assert_eq!(regressions(&at_the_median).count(), 0, "1.3 is within the interval");
     let text = text(baseline);
@@ -81,7 +81,7 @@ fn what_cannot_be_compared_is_a_doubt() {
         "The scene bunny has changed and is not compared.",
         "The baseline has no view rays of hall with ball.",
         "The baseline measured bvh in hall; the new run did not.",
-        "307201 view rays of hall with cwbvh were traced, 307200 in the baseline",
+        "307201 view rays of hall with cwbvh were recorded, 307200 in the baseline",
     ] {
         assert!(doubts.contains(doubt), "{doubt} is not among\n{doubts}");
     }

@@ -87,7 +87,7 @@ fn csv_has_every_figure_of_the_json() {
         csv_estimate(row, "ns", &own["ns"]);
         csv_estimate(row, "rmse", &own["rmse"]);
         same(row["pixel_samples"], &own["pixel_samples"]);
-        same(row["ratio"], &own["ratio"]["median"]);
+        same(row["ratio"], &own["ratio"]["value"]);
     }
     assert!(Report::new(&sample::partial()).sampling_csv().is_none());
 }

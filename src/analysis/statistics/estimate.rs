@@ -23,7 +23,7 @@ pub fn median(values: &[f64]) -> Option<f64> {
 #[must_use]
 pub fn estimate(values: &[f64]) -> Option<Estimate> {
     let median = median(values)?;
-    Some(Estimate { median, interval: order_interval(values), rounds: values.len() })
+    Some(Estimate { value: median, interval: order_interval(values), rounds: values.len() })
 }
 
 /// The exact interval of the median, for any distribution: from the k-th smallest to the k-th largest value (H. A.

@@ -7,10 +7,12 @@ mod estimate;
 mod growth;
 mod interpolate;
 mod ratio;
+mod replicates;
 mod tradeoff;
 
 pub use estimate::{INTERVAL_ROUNDS, RESAMPLES, estimate, median};
 pub use growth::{PowerLaw, log_log_fit};
 pub use interpolate::log_log_interpolate;
 pub use ratio::{paired_ratio, unpaired_ratio};
+pub use replicates::{Center, Rounds, ratio_of_estimates, unpaired_ratio_of_estimates};
 pub use tradeoff::{BreakEven, Cost, break_even, million_per_second, pareto_front};

@@ -36,7 +36,7 @@ pub fn unpaired_ratio(base: &[f64], own: &[f64]) -> Option<Estimate> {
             .collect();
         all_finite(&ratios).then(|| quantiles(ratios))
     });
-    Some(Estimate { median: ratio, interval: interval.flatten(), rounds })
+    Some(Estimate { value: ratio, interval: interval.flatten(), rounds })
 }
 
 #[cfg(test)]
@@ -49,10 +49,10 @@ mod tests {
         let own: Vec<f64> = (1..=12).map(|n| f64::from(n * n)).collect();
         let base: Vec<f64> = own.iter().map(|t| 3.0 * t).collect();
         let ratio = paired_ratio(&base, &own).unwrap();
-        assert_eq!(ratio.median, 3.0);
+        assert_eq!(ratio.value, 3.0);
         assert_eq!(ratio.interval, Some(Interval { low: 3.0, high: 3.0 }));
         let unpaired = unpaired_ratio(&base, &own).unwrap();
-        assert_eq!(unpaired.median, 3.0);
+        assert_eq!(unpaired.value, 3.0);
         let interval = unpaired.interval.unwrap();
         assert!(interval.low < 2.0 && interval.high > 4.0, "{interval:?}");
     }
@@ -60,7 +60,7 @@ mod tests {
     #[test]
     fn rounds_without_a_partner_are_left_out() {
         let ratio = paired_ratio(&[6.0, 8.0], &[2.0, 2.0, 1000.0]).unwrap();
-        assert_eq!((ratio.median, ratio.rounds, ratio.interval), (3.5, 2, None));
+        assert_eq!((ratio.value, ratio.rounds, ratio.interval), (3.5, 2, None));
         assert_eq!(paired_ratio(&[], &[1.0]), None);
     }
 
@@ -75,6 +75,6 @@ mod tests {
     fn the_unpaired_interval_of_constants_is_their_ratio() {
         let ratio = unpaired_ratio(&[8.0; 7], &[2.0; 9]).unwrap();
         assert_eq!(ratio.interval, Some(Interval { low: 4.0, high: 4.0 }));
-        assert_eq!((ratio.median, ratio.rounds), (4.0, 7));
+        assert_eq!((ratio.value, ratio.rounds), (4.0, 7));
     }
 }

@@ -81,7 +81,7 @@ pub(super) fn measure(
     };
     let each = |sampling| SIDES.map(|side| (sampling, side));
     let mut tasks: Vec<Frames> = Sampling::ALL.into_iter().flat_map(each).map(with).collect();
-    let rounds = interleaved(tasks.len(), &context.rounds(budget), |task| {
+    let rounds = interleaved(tasks.len(), &context.rounds(budget), |task, _| {
         let settings = &mut tasks[task].settings;
         // The same random numbers for all that run beside each other, others in each round.
         settings.seed = settings.seed.wrapping_add(1);

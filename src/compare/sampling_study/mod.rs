@@ -63,7 +63,7 @@ pub(super) fn sampling_study(
         }
         progress.step(&format!("{}: sampling", input.name), budget);
         let scene = &input.scene;
-        let context = SceneContext { scene, plan, pools, base: "", cancelled: &cancelled };
+        let context = SceneContext { scene, plan, pools, cancelled: &cancelled };
         let share = budget.share(1.0 / (lit.len() - done) as f64);
         study_scene(&input.name, &context, share, &mut study.chapter);
     }

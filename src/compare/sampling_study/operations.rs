@@ -66,7 +66,7 @@ impl Operation {
 /// Times batches of all operations, on the current thread.
 pub(super) fn measure(light_side: u32, repeat: &Repeat<'_>) -> Vec<OperationCost> {
     let bench = Bench::new(light_side);
-    let rounds = interleaved(Operation::ALL.len(), repeat, |task| {
+    let rounds = interleaved(Operation::ALL.len(), repeat, |task, _| {
         let operation = Operation::ALL[task];
         let ((), round) = timed(|| bench.run(operation));
         // A batch is so short that one interruption would be most of it.

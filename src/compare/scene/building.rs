@@ -25,7 +25,7 @@ pub(super) fn build_all(context: &SceneContext<'_>, candidates: &mut [Candidate<
 }
 
 /// What the build spent its time on.
-fn build_stages(report: &BuildReport) -> Vec<BuildStage> {
+pub(super) fn build_stages(report: &BuildReport) -> Vec<BuildStage> {
     let stage = |(name, time): (&str, Duration)| BuildStage {
         name: name.to_owned(),
         ns: nanoseconds(time),

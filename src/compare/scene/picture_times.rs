@@ -121,16 +121,27 @@ fn that_fit(times: &[Option<Duration>], budget: Duration) -> Vec<usize> {
     fit
 }
 
-/// A time that was estimated, with two figures.
+/// A time that was estimated, with two figures, in the largest unit of which it has two.
 fn in_words(time: Duration) -> String {
+    const UNITS: [(&str, f64); 5] =
+        [("days", 86_400.0), ("h", 3_600.0), ("min", 60.0), ("s", 1.0), ("ms", 1e-3)];
     let seconds = time.as_secs_f64();
-    let (value, unit) = if seconds < 1.0 { (seconds * 1e3, "ms") } else { (seconds, "s") };
+    let fits = |(_, length): &(&str, f64)| seconds >= 2.0 * length;
+    let (unit, length) = UNITS.into_iter().find(fits).unwrap_or(("ms", 1e-3));
+    let value = seconds / length;
     if value < 10.0 { format!("{value:.1} {unit}") } else { format!("{value:.0} {unit}") }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn times_are_in_a_unit_that_people_read() {
+        let words = |seconds| in_words(Duration::from_secs_f64(seconds));
+        assert_eq!([0.001_2, 1.5, 45.0].map(words), ["1.2 ms", "1500 ms", "45 s"]);
+        assert_eq!([130.0, 9_000.0, 1_197_504.0].map(words), ["2.2 min", "2.5 h", "14 days"]);
+    }
 
     #[test]
     fn the_quickest_fit_first() {

@@ -1,6 +1,5 @@
 //! The second step: records the rays, and tries how long each structure takes for one of each class.
 
-use crate::compare::budget::Budget;
 use crate::compare::candidate::Candidate;
 use crate::compare::context::SceneContext;
 use crate::compare::extra_rays::{FirstHits, probe_rays, random_rays};
@@ -8,10 +7,8 @@ use crate::compare::record_rays::{RaySet, record, recording_tracer};
 use crate::compare::trial::{RayTimes, ray_times};
 use crate::record::RayClass;
 
-/// Rays that the recording may trace for each second that is left of the budget, and its limits.
-const TRACED_PER_SECOND: f64 = 100_000.0;
-const LEAST_TRACED: f64 = 1e5;
-const MOST_TRACED: f64 = 2e6;
+/// Rays that the recording may trace, whatever the budget: figures are of the rays, so these must not depend on it.
+const TRACED: u64 = 200_000;
 
 /// Rays of a class that no renderer sends, at most.
 const MOST_EXTRA_RAYS: usize = 50_000;
@@ -30,13 +27,10 @@ pub(super) struct SceneRays {
 pub(super) fn record_rays(
     context: &SceneContext<'_>,
     candidates: &mut [Candidate<'_>],
-    budget: Budget,
 ) -> SceneRays {
     let tracer = recording_tracer(context);
     let settings = context.picture_settings();
-    let traced = budget.left().as_secs_f64() * TRACED_PER_SECOND;
-    let traced = traced.clamp(LEAST_TRACED, MOST_TRACED) as u64;
-    let recording = record(context, &*tracer, &settings, traced);
+    let recording = record(context, &*tracer, &settings, TRACED);
     let mut sets = recording.sets;
     let seed = settings.seed;
     let classes = &context.plan.classes;

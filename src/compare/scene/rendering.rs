@@ -73,7 +73,7 @@ fn measure(
     let repeat = context.rounds_after_warmup(budget);
     let (start, longest) = (Instant::now(), budget.left().saturating_mul(MOST_BUDGETS));
     let stop = || (context.cancelled)() || start.elapsed() > longest;
-    let rounds = interleaved(fit.len(), &repeat, |task| {
+    let rounds = interleaved(fit.len(), &repeat, |task, _| {
         let candidate = &mut candidates[fit[task]];
         let work = || {
             let build = || candidate.structure.build(context.scene, &context.plan.build);

@@ -75,7 +75,7 @@ pub(in crate::report) fn write_sampling(report: &Report<'_>) -> Option<String> {
             ("rmse", rmse),
             ("rmse_low", rmse_low),
             ("rmse_high", rmse_high),
-            ("ratio", number(figures.ratio.map(|ratio| ratio.median))),
+            ("ratio", number(figures.ratio.map(|ratio| ratio.value))),
         ]);
     }
     for picture in &chapter.converged {

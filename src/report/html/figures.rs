@@ -45,7 +45,8 @@ fn groups(
         Some(Dot {
             look: page.looks.get(&structure.structure),
             name: structure.structure.clone(),
-            value: value(structure, structure.class(class)?)?,
+            value: value(structure, structure.class(class)?)
+                .filter(Estimate::supports_a_statement)?,
         })
     };
     let group = |class: RayClass| DotGroup {
@@ -159,13 +160,14 @@ pub(super) fn growth(page: &Page<'_>, sweep: &SweepFigures, class: RayClass) -> 
 }
 
 fn curve_series(page: &Page<'_>, curve: &SweepCurve) -> XySeries {
-    let sizes = || curve.values.iter().map(|value| value.triangles as f64);
-    let ns = || curve.values.iter().map(|value| value.ns_per_ray);
+    let supported = || curve.values.iter().filter(|value| value.ns_per_ray.supports_a_statement());
+    let sizes = || supported().map(|value| value.triangles as f64);
+    let ns = || supported().map(|value| value.ns_per_ray);
     let slope = curve.fit.map(|fit| format!(", slope {:.2}", fit.slope)).unwrap_or_default();
     XySeries {
         look: page.looks.get(&curve.structure),
         name: format!("{}{slope}", curve.structure),
-        points: sizes().zip(ns().map(|estimate| estimate.median)).collect(),
+        points: sizes().zip(ns().map(|estimate| estimate.value)).collect(),
         intervals: ns().map(|estimate| estimate.interval.map(|i| (i.low, i.high))).collect(),
         line: curve.fit.map_or_else(Vec::new, |fit| sizes().map(|n| (n, fit.at(n))).collect()),
         fit: true,
@@ -203,7 +205,7 @@ pub(super) fn noise(analysis: &Analysis, scene: &str) -> Option<Markup> {
     let series = methods.into_iter().enumerate().map(|(number, method)| {
         let own = measured().filter(|own| own.scene == scene && own.sampling == method);
         let own: Vec<&NoiseFigures> = own.collect();
-        let points: Vec<_> = own.iter().map(|own| (own.ns.median, own.rmse.median)).collect();
+        let points: Vec<_> = own.iter().map(|own| (own.ns.value, own.rmse.value)).collect();
         XySeries {
             look: Look::of_series(number),
             name: method.to_owned(),

@@ -11,7 +11,7 @@ mod table;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::limits::limits;
+use super::limits::{limits, weaknesses};
 use super::plot::Looks;
 use super::sampling_verdict::sampling_verdict;
 use super::verdict::headline;
@@ -91,6 +91,7 @@ fn head(page: &Page<'_>) -> Markup {
         @let (claim, rest) = headline(page.report);
         h1 { (claim.replace('–', "\u{2060}–\u{2060}")) }
         @if let Some(rest) = rest { p class="subtitle" { (rest) } }
+        @if let Some(weaknesses) = weaknesses(page.report) { p class="subtitle" { (weaknesses) } }
         p class="byline" {
             @if run.date.is_empty() { "No date" } @else { time datetime=(run.date) { (run.date) } }
             @if !run.machine.cpu.is_empty() { " · " (run.machine.cpu) }

@@ -19,13 +19,17 @@ pub enum ReadError {
     Malformed(#[from] serde_json::Error),
     /// It has a schema version that this version of srt does not read.
     #[error(
-        "the record has schema version {found}; this version of srt reads version {SCHEMA_VERSION}"
+        "the record has schema version {found}; this version of srt reads versions \
+         {OLDEST_VERSION} to {SCHEMA_VERSION}"
     )]
     Version {
         /// The version in the record.
         found: u64,
     },
 }
+
+/// The oldest schema version that is read.
+const OLDEST_VERSION: u64 = 1;
 
 /// A record with its analysis, for programs that read the file.
 #[derive(Serialize)]
@@ -42,7 +46,8 @@ pub(super) fn write(report: &Report<'_>) -> Result<String, serde_json::Error> {
     Ok(pretty::pretty(&compact) + "\n")
 }
 
-/// Reads a record. Unknown fields are ignored, and `derived` among them.
+/// Reads a record. Unknown fields are ignored, and `derived` among them. In records of version 1, structures that were
+/// slow traced single rays, evenly spread; their ratios are those of their times per ray.
 ///
 /// # Errors
 /// If the text is not a record, or one of another version.
@@ -52,7 +57,7 @@ pub fn read(text: &str) -> Result<Comparison, ReadError> {
         schema_version: u64,
     }
     let found = serde_json::from_str::<Version>(text)?.schema_version;
-    if found != u64::from(SCHEMA_VERSION) {
+    if !(OLDEST_VERSION..=u64::from(SCHEMA_VERSION)).contains(&found) {
         return Err(ReadError::Version { found });
     }
     Ok(serde_json::from_str(text)?)

@@ -88,7 +88,7 @@ fn grid(axis: &Axis, middle: f64, bottom: f64, label: &str) -> Markup {
 }
 
 fn draw(dot: &Dot, axis: &Axis, (left, right): (f64, f64), y: f64, unit: &str) -> Markup {
-    let x = axis.at(dot.value.median);
+    let x = axis.at(dot.value.value);
     let class = format!("line {}", dot.look.color_class());
     html! {
         text class="name" x=(at(left - 12.0)) y=(at(y + 4.0)) text-anchor="end" { (dot.name) }
@@ -102,14 +102,14 @@ fn draw(dot: &Dot, axis: &Axis, (left, right): (f64, f64), y: f64, unit: &str) -
 
 fn words(value: Estimate, unit: &str) -> String {
     match numbers::spread(value) {
-        Some(spread) => format!("{}{unit} ({spread})", numbers::median(value)),
-        None => format!("{}{unit}", numbers::median(value)),
+        Some(spread) => format!("{}{unit} ({spread})", numbers::value(value)),
+        None => format!("{}{unit}", numbers::value(value)),
     }
 }
 
 fn ends(dot: &Dot) -> impl Iterator<Item = f64> {
     let interval = dot.value.interval.map(|interval| [interval.low, interval.high]);
-    std::iter::once(dot.value.median).chain(interval.into_iter().flatten())
+    std::iter::once(dot.value.value).chain(interval.into_iter().flatten())
 }
 
 fn meaning(groups: &[&DotGroup], unit: &str) -> String {
@@ -117,7 +117,7 @@ fn meaning(groups: &[&DotGroup], unit: &str) -> String {
         let dots: Vec<String> = group
             .dots
             .iter()
-            .map(|dot| format!("{} {}{unit}", dot.name, numbers::median(dot.value)))
+            .map(|dot| format!("{} {}{unit}", dot.name, numbers::value(dot.value)))
             .collect();
         format!("{}: {}", group.name, dots.join(", "))
     };

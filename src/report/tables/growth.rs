@@ -10,6 +10,38 @@ pub(in crate::report) fn growth_tables(sweep: &Sweep, figures: &SweepFigures) ->
     vec![slopes(figures, sweep), costs(figures)]
 }
 
+/// The time of a ray in nanoseconds for each structure, and each size in a column of its own; a table for each class.
+pub(in crate::report) fn size_tables(figures: &SweepFigures) -> Vec<Table> {
+    figures.classes().into_iter().map(|class| size_table(figures, class)).collect()
+}
+
+fn size_table(figures: &SweepFigures, class: RayClass) -> Table {
+    let curves = || figures.curves.iter().filter(move |curve| curve.class == class);
+    let mut sizes: Vec<u64> =
+        curves().flat_map(|curve| curve.values.iter().map(|value| value.triangles)).collect();
+    sizes.sort_unstable();
+    sizes.dedup();
+    let heads: Vec<String> = std::iter::once("structure".to_owned())
+        .chain(sizes.iter().map(|&size| format!("#{}", numbers::count(size))))
+        .chain(["#slope".to_owned()])
+        .collect();
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let title = format!("{}: ns per {} ray by triangles", figures.mesh, class.name());
+    let mut table = Table::new(title, "", &heads);
+    let row = |curve: &SweepCurve| {
+        let at = |size: &u64| {
+            let value = curve.values.iter().find(|value| value.triangles == *size);
+            Cell::compared(value.map(|value| value.ns_per_ray))
+        };
+        std::iter::once(Cell::text(&curve.structure))
+            .chain(sizes.iter().map(at))
+            .chain([Cell::of(curve.fit, |fit| format!("{:.2}", fit.slope))])
+            .collect()
+    };
+    table.rows = curves().map(row).collect();
+    table
+}
+
 fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
     let heads = ["Class", "Structure", "#Slope", "#Standard error", "#Sizes", "Stopped"];
     let checked = match sweep.rays_checked {
@@ -20,8 +52,9 @@ fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
         ),
     };
     let note = format!(
-        "The slope is the exponent of the power law fitted to the medians of time per ray against \
-         triangles: 0 is constant, 1 is linear. {checked}"
+        "The slope is the exponent of the power law fitted to time per ray against triangles: 0 is \
+         constant, 1 is linear. It is a summary over all sizes; the local slopes below show whether \
+         one power holds. {checked}"
     );
     let mut table = Table::new("Slopes", note, &heads);
     let dropped_at = |entry: &Dropped| {
@@ -55,15 +88,17 @@ fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
 }
 
 fn costs(figures: &SweepFigures) -> Table {
-    let heads = ["Class", "Structure", "#Triangles", "#ns/ray", "#Rounds"];
-    let mut table = Table::new("Cost at each size", "", &heads);
+    let heads = ["Class", "Structure", "#Triangles", "#ns/ray", "#Local slope", "#Rounds"];
+    let note = "The local slope is the exponent of the power law from the size before to this one.";
+    let mut table = Table::new("Cost at each size", note, &heads);
     for curve in by_class(figures) {
         table.rows.extend(curve.values.iter().map(|value| {
             vec![
                 Cell::text(curve.class.name()),
                 Cell::text(&curve.structure),
                 Cell::text(numbers::whole(value.triangles)),
-                Cell::estimate(Some(value.ns_per_ray)),
+                Cell::compared(Some(value.ns_per_ray)),
+                Cell::of(value.slope, |slope| format!("{slope:.2}")),
                 Cell::text(value.ns_per_ray.rounds.to_string()),
             ]
         }));

@@ -12,13 +12,14 @@ mod scene;
 mod stages;
 
 pub(super) use baseline::baseline_table;
-pub(super) use growth::growth_tables;
+pub(super) use growth::{growth_tables, size_tables};
 pub(super) use overall::{overall_table, proof_matrix};
 pub(super) use rounds::round_table;
 pub(super) use run::facts;
 pub(super) use sampling::sampling_tables;
 pub(super) use scene::{
-    agreement, hardware_table, picture_table, proof_table, ray_table, structure_table,
+    agreement, compared_without_difference, hardware_table, picture_table, proof_table, ray_table,
+    structure_table,
 };
 pub(super) use stages::stage_table;
 
@@ -70,6 +71,9 @@ impl Table {
     }
 }
 
+/// What is shown in place of a number whose interval supports no statement.
+pub(in crate::report) const TOO_WIDE: &str = "too wide";
+
 /// What is shown in place of an interval if there were too few rounds.
 fn too_few(estimate: Estimate) -> Option<String> {
     (estimate.rounds < INTERVAL_ROUNDS).then(|| NOTHING.to_owned())
@@ -91,15 +95,26 @@ impl Cell {
         value.map_or_else(Self::nothing, |value| Self::text(show(value)))
     }
 
-    /// Median and interval of a number without a unit.
+    /// Value and interval of a number without a unit.
     fn estimate(estimate: Option<Estimate>) -> Self {
         estimate.map_or_else(Self::nothing, |estimate| Self {
-            text: numbers::median(estimate),
+            text: numbers::value(estimate),
             spread: numbers::spread(estimate).or_else(|| too_few(estimate)),
         })
     }
 
-    /// Median and interval of a time in nanoseconds.
+    /// The same of a number that structures are compared by: where its interval is too wide for that, the cell says so.
+    fn compared(estimate: Option<Estimate>) -> Self {
+        let own = Self::estimate(estimate);
+        match estimate {
+            Some(wide) if wide.interval.is_some() && !wide.supports_a_statement() => {
+                Self { text: TOO_WIDE.to_owned(), ..own }
+            }
+            _ => own,
+        }
+    }
+
+    /// Value and interval of a time in nanoseconds.
     fn time(estimate: Option<Estimate>) -> Self {
         estimate.map_or_else(Self::nothing, |estimate| {
             let (text, spread) = numbers::time_estimate(estimate);

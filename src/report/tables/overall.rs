@@ -1,6 +1,6 @@
-//! All scenes at a glance: how fast each structure is, and where its results were proved equal.
+//! All scenes at a glance: how fast each structure is, and in how much its results were compared.
 
-use super::{Cell, Table};
+use super::{Cell, Table, compared_without_difference};
 use crate::analysis::OverallFigures;
 use crate::record::{Comparison, RayClass, SceneRecord, Status};
 use crate::report::{Report, numbers};
@@ -15,9 +15,9 @@ pub(in crate::report) fn overall_table(report: &Report<'_>) -> Table {
         .collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
     let note = format!(
-        "How many times as fast as {}, per ray: geometric means over the scenes in which both traced \
-         the class. Below each is the number of these scenes. Only means over the same scenes can be \
-         compared.",
+        "How many times as fast as {}, per ray: geometric means over the scenes whose ratio has an \
+         interval that supports a statement. Below each is the number of these scenes. Only means over \
+         the same scenes can be compared.",
         comparison.base
     );
     let mut table = Table::new("All scenes together", note, &heads);
@@ -40,7 +40,7 @@ pub(in crate::report) fn overall_table(report: &Report<'_>) -> Table {
     table
 }
 
-/// What was proved in which scene, a row for each scene; without rows for a single scene, which has a table of its own.
+/// What was compared in which scene, a row for each scene; without rows for a single scene, which has a table of its own.
 pub(in crate::report) fn proof_matrix(comparison: &Comparison) -> Table {
     let mut names: Vec<&str> = Vec::new();
     for row in comparison.scenes.iter().flat_map(|scene| &scene.structures) {
@@ -49,9 +49,9 @@ pub(in crate::report) fn proof_matrix(comparison: &Comparison) -> Table {
         }
     }
     let heads: Vec<&str> = std::iter::once("Scene").chain(names.iter().copied()).collect();
-    let note = "What equals the reference's bit for bit, and the number of recorded rays whose hits \
-                were compared.";
-    let mut table = Table::new("What was proved", note, &heads);
+    let note = "In how many recorded rays, and in a picture of which size, results were compared with the \
+                reference's, bit for bit.";
+    let mut table = Table::new("What was compared", note, &heads);
     if comparison.scenes.len() < 2 {
         return table;
     }
@@ -70,15 +70,12 @@ fn proved(scene: &SceneRecord, name: &str) -> Cell {
     let Some((proof, entry)) = entry else {
         return if failed { Cell::text("failed") } else { Cell::nothing() };
     };
-    let text = match entry.picture_equal {
+    let text = match compared_without_difference(entry) {
         _ if !entry.holds() => "DIFFERS",
         _ if failed => "failed",
         _ if proof.reference == name => "the reference",
-        Some(true) if entry.picture_hash.is_some() => "picture and hits",
-        Some(true) => "a smaller picture and hits",
-        _ if entry.rays_checked > 0 => "hits",
-        _ => return Cell::nothing(),
+        Some(_) => "no difference",
+        None => return Cell::nothing(),
     };
-    let rays = (entry.rays_checked > 0).then(|| numbers::things(entry.rays_checked, "ray"));
-    Cell { text: text.to_owned(), spread: rays }
+    Cell { text: text.to_owned(), spread: compared_without_difference(entry) }
 }

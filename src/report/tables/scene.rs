@@ -8,11 +8,12 @@ use crate::record::{
 };
 use crate::report::numbers;
 
-/// Whether the results are equal.
+/// Whether results differed, and in how much they were compared.
 pub(in crate::report) fn proof_table(proof: &Proof) -> Table {
     let heads = [
         "Structure",
         "Picture",
+        "#Pixels compared",
         "#Differing pixels",
         "#Largest difference",
         "#Rays checked",
@@ -43,11 +44,29 @@ fn peer_row(entry: &PeerAgreement) -> Vec<Cell> {
     vec![
         Cell::text(&entry.structure),
         Cell::text(agreement(entry)),
-        Cell::text("–"),
-        Cell::text("–"),
+        Cell::nothing(),
+        Cell::nothing(),
+        Cell::nothing(),
         Cell::text(numbers::whole(entry.rays_checked)),
         Cell::text(format!("{} disagree", numbers::whole(differing))),
     ]
+}
+
+/// In how much a structure's results were compared without a difference: `120 k rays, 300 × 200 pixels`; `None` if
+/// nothing was compared.
+pub(in crate::report) fn compared_without_difference(entry: &StructureProof) -> Option<String> {
+    let rays =
+        (entry.rays_checked > 0).then(|| format!("{} rays", numbers::count(entry.rays_checked)));
+    let pixels = match entry.picture_equal {
+        // Older records have no size.
+        Some(true) => Some(entry.picture_size.map_or_else(
+            || "a picture".to_owned(),
+            |size| format!("{} pixels", numbers::size(size)),
+        )),
+        _ => None,
+    };
+    let parts: Vec<String> = rays.into_iter().chain(pixels).collect();
+    (!parts.is_empty()).then(|| parts.join(", "))
 }
 
 /// How a peer agrees, in words.
@@ -60,7 +79,7 @@ pub(in crate::report) fn agreement(entry: &PeerAgreement) -> String {
 fn proof_row(entry: &StructureProof, reference: &str) -> Vec<Cell> {
     let picture = match entry.picture_equal {
         _ if entry.structure == reference => "the reference",
-        Some(true) => "equal bit for bit",
+        Some(true) => "no difference",
         Some(false) => "DIFFERS",
         None => "not compared",
     };
@@ -71,6 +90,7 @@ fn proof_row(entry: &StructureProof, reference: &str) -> Vec<Cell> {
     vec![
         Cell::text(&entry.structure),
         Cell::text(picture),
+        Cell::of(pixels.and_then(|entry| entry.picture_size), numbers::size),
         Cell::of(pixels, |entry| numbers::whole(entry.differing_pixels)),
         Cell::of(pixels, |entry| numbers::exact(entry.largest_difference)),
         Cell::of(rays, |entry| numbers::whole(entry.rays_checked)),
@@ -169,29 +189,12 @@ pub(in crate::report) fn ray_table(figures: &SceneFigures) -> Table {
         "#Boxes/ray",
         "#Primitives/ray",
         "#ns/ray",
-        "#CPU ns/ray",
         "#M rays/s",
         "#× base",
         "#Rounds",
         "#Wall/own time",
-        "#Rays of × base",
     ];
-    let base = figures.base.as_deref().unwrap_or("none");
-    let mut note = format!(
-        "Medians of rounds, each with its 95 % interval, or – if there were too few rounds. “× base” \
-         is how many times as fast as {base} the structure is: the median of the rounds' ratios, on \
-         the rays that both traced. Their number is in the last column. ns/ray does not include \
-         waiting for a processor that other programs used."
-    );
-    let all = || figures.structures.iter().flat_map(|structure| &structure.classes);
-    if all().any(ClassFigures::is_disturbed) {
-        note += " † marks rows with a wall time of more than 1.1 times the rounds' own time: they are \
-                 less reliable.";
-    }
-    if all().any(|class| class.speedup.is_some() && class.speedup_rays.is_none()) {
-        note += " ‡ marks ratios of times of different rays.";
-    }
-    let mut table = Table::new("Rays", note, &heads);
+    let mut table = Table::new("Rays", ray_note(figures), &heads);
     for class in figures.classes() {
         let rows = figures.structures.iter().filter_map(|s| Some((s, s.class(class)?)));
         table.rows.extend(rows.map(|(structure, class)| ray_row(&structure.structure, class)));
@@ -199,27 +202,62 @@ pub(in crate::report) fn ray_table(figures: &SceneFigures) -> Table {
     table
 }
 
+/// How the rows of rays are to be read.
+fn ray_note(figures: &SceneFigures) -> String {
+    let base = figures.base.as_deref().unwrap_or("none");
+    let mut note = format!(
+        "Estimates for all recorded rays, each with its 95 % interval, or – if there were too few \
+         rounds. “× base” is how many times as fast as {base} the structure is: the ratio of the \
+         estimates. ns/ray does not include waiting for a processor that other programs used."
+    );
+    let all = || figures.structures.iter().flat_map(|structure| &structure.classes);
+    if all().any(ClassFigures::is_sampled) {
+        note += " “a of b” rays: each round traced a random sample, drawn anew, and the interval \
+                 includes the choice of the sample.";
+    }
+    let estimates = |class: &ClassFigures| [class.million_rays_per_second, class.speedup];
+    if all().flat_map(estimates).flatten().any(|own| !own.supports_a_statement()) {
+        note += " A number whose interval is missing, or reaches beyond half or twice its value, is \
+                 in no chart, rank or mean.";
+    }
+    if all().any(ClassFigures::is_disturbed) {
+        note += " † marks rows with a wall time of more than 1.1 times the rounds' own time: they are \
+                 less reliable.";
+    }
+    let parallel = |own: &StructureFigures| {
+        let shares = own.classes.iter().filter_map(ClassFigures::processor_share);
+        let share = shares.reduce(f64::max)?;
+        Some(format!("{} {}", own.structure, numbers::figures(share)))
+    };
+    let parallel: Vec<String> = figures.structures.iter().filter_map(parallel).collect();
+    if !parallel.is_empty() {
+        note +=
+            &format!(" Processor time over own time, where they differ: {}.", parallel.join(", "));
+    }
+    note
+}
+
 fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
     vec![
         Cell::text(class.class.name()),
         Cell::text(structure),
-        Cell::text(numbers::whole(class.rays)),
+        Cell {
+            text: numbers::whole(class.rays),
+            spread: class
+                .is_sampled()
+                .then(|| format!("of {}", numbers::whole(class.recorded_rays))),
+        },
         Cell::of(class.hit_share, numbers::percent),
         Cell::of(class.boxes_per_ray, numbers::figures),
         Cell::of(class.primitives_per_ray, numbers::figures),
-        Cell::estimate(class.ns_per_ray),
-        Cell::of(class.cpu_ns_per_ray, numbers::median),
-        Cell::estimate(class.million_rays_per_second),
-        Cell::estimate(class.speedup),
+        Cell::compared(class.ns_per_ray),
+        Cell::compared(class.million_rays_per_second),
+        Cell::compared(class.speedup),
         Cell::of(class.ns_per_ray, |estimate| estimate.rounds.to_string()),
         Cell::of(class.disturbance, |disturbance| {
             let mark = if class.is_disturbed() { " †" } else { "" };
             format!("{}{mark}", numbers::figures(disturbance))
         }),
-        match (class.speedup, class.speedup_rays) {
-            (Some(_), None) => Cell::text("‡"),
-            (_, rays) => Cell::of(rays, numbers::whole),
-        },
     ]
 }
 
@@ -227,7 +265,7 @@ fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
 pub(in crate::report) fn hardware_table(figures: &SceneFigures) -> Table {
     let heads =
         ["Class", "Structure", "#Instructions/cycle", "#Branch misses/ray", "#Cache misses/ray"];
-    let note = "Medians of rounds, each with its 95 % interval. Cache misses are those of the \
+    let note = "Estimates for all recorded rays, each with its 95 % interval. Cache misses are those of the \
                 last-level cache.";
     let mut table = Table::new("Hardware counters", note, &heads);
     for class in figures.classes() {
@@ -248,8 +286,15 @@ fn hardware_row(structure: &str, class: &ClassFigures) -> Option<Vec<Cell>> {
 
 /// Build and rendering together, and from how many rays on a slower build pays off.
 pub(in crate::report) fn picture_table(figures: &SceneFigures) -> Table {
-    let heads =
-        ["Structure", "#Build", "#Render", "#Together", "#× base", "#Rounds", "Ahead of the base"];
+    let heads = [
+        "Structure",
+        "#Build",
+        "#Render",
+        "#Together",
+        "#× base",
+        "#Rounds",
+        "Faster than the base",
+    ];
     let note = format!(
         "All threads. The last column is the number of the picture's mean rays from which on a \
          structure is faster than {}, build included.",

@@ -24,6 +24,11 @@ pub(super) fn sweep() -> Sweep {
                     structure: name.to_owned(),
                     class,
                     rays: 65_536,
+                    sample: (name == "none").then_some(BlockSample {
+                        blocks: 64,
+                        rays_per_block: 1_024,
+                        of_rays: 100_352,
+                    }),
                     rounds: rounds(ns * 65_536.0, 10, (s * 10 + i) as u64),
                     build_ns: triangles * 300,
                     index_bytes: triangles * 64,

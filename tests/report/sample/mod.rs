@@ -70,7 +70,7 @@ fn baseline() -> Baseline {
         structure: "bvh".to_owned(),
         class,
         slowdown: Estimate {
-            median,
+            value: median,
             interval: Some(Interval { low: median - 0.02, high: median + 0.03 }),
             rounds: 12,
         },

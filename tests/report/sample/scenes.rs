@@ -18,24 +18,19 @@ struct Typical {
 
 fn class(typical: &Typical, class: RayClass, rays: u64, cost: f64, key: u64) -> ClassRecord {
     let (ns, boxes, primitives) = typical.view;
+    let sampled = typical.name == "cwbvh" && class == RayClass::Random;
+    let sample = BlockSample { blocks: 16, rays_per_block: 64, of_rays: rays };
+    let rays = if sampled { sample.blocks * sample.rays_per_block } else { rays };
     ClassRecord {
         class,
         rays,
+        sample: sampled.then_some(sample),
+        counted_rays: rays,
         hits: rays / 3,
         boxes: Some((boxes * cost * rays as f64) as u64),
         primitives: Some((primitives * cost * rays as f64) as u64),
         rounds: rounds(ns * cost * rays as f64, 12, key),
-        common: (typical.name == "cwbvh" && class == RayClass::Random).then(|| CommonRays {
-            rays: 1_000,
-            own: without_hardware(rounds(ns * cost * 1e3, 12, key + 7)),
-            base: without_hardware(rounds(ns * cost * 4e5, 12, key + 8)),
-        }),
     }
-}
-
-fn without_hardware(mut rounds: Vec<Round>) -> Vec<Round> {
-    rounds.iter_mut().for_each(|round| round.hardware = None);
-    rounds
 }
 
 fn structure(scene: &str, typical: &Typical, triangles: u64, key: u64) -> StructureRecord {
@@ -117,6 +112,7 @@ fn proof(structures: &[&str], key: u64) -> Proof {
         structure: (*name).to_owned(),
         picture_hash: Some(hash(key)),
         picture_equal: Some(true),
+        picture_size: Some([300, 200]),
         differing_pixels: 0,
         largest_difference: 0.0,
         rays_checked: 1_446_528,

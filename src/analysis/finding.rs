@@ -1,0 +1,183 @@
+//! What a comparison shows best: one structure against another, over all scenes that both were measured in.
+
+use serde::Serialize;
+
+use super::class::ray_times;
+use super::statistics::ratio_of_estimates;
+use crate::record::{ClassRecord, Estimate, Interval, RayClass, SceneRecord, StructureRecord};
+
+/// Half the width of a normal distribution's 95 % interval, in standard deviations.
+const NORMAL: f64 = 1.959_963_984_540_054;
+
+/// How many times as fast as another a structure traces a class of rays.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Finding {
+    /// The faster structure.
+    pub faster: String,
+    /// The slower one.
+    pub slower: String,
+    /// The class of rays.
+    pub class: RayClass,
+    /// The scenes' ratios in the geometric mean. Its interval is for these scenes, not for scenes as such.
+    pub ratio: Estimate,
+    /// The smallest of the scenes' ratios.
+    pub lowest: f64,
+    /// The largest of the scenes' ratios.
+    pub highest: f64,
+    /// The scenes in which both were measured, and whose ratio has an interval that supports a statement.
+    pub scenes: Vec<String>,
+    /// The recorded rays of these scenes.
+    pub rays: u64,
+}
+
+impl Finding {
+    /// Whether the whole interval lies on one side of 1.
+    #[must_use]
+    pub fn is_certain(&self) -> bool {
+        self.ratio.interval.is_some_and(|interval| interval.low > 1.0)
+    }
+
+    /// How many standard errors its logarithm is away from 0.
+    fn certainty(&self) -> f64 {
+        let error = self.ratio.interval.map_or(f64::INFINITY, |own| log_error(&own));
+        self.ratio.value.ln() / error.max(1e-9)
+    }
+}
+
+/// The best supported finding: of pairs of trees, if there are any, that which was seen in the most scenes, then that
+/// which is the most certain. Peers are left out.
+pub(super) fn best_finding(scenes: &[SceneRecord]) -> Option<Finding> {
+    let is_tree = |row: &StructureRecord| row.shape.as_ref().is_some_and(|shape| shape.depth > 0);
+    best_of(scenes, is_tree).or_else(|| best_of(scenes, |_| true))
+}
+
+fn best_of(scenes: &[SceneRecord], fits: fn(&StructureRecord) -> bool) -> Option<Finding> {
+    let mut names: Vec<&str> = Vec::new();
+    for row in scenes.iter().flat_map(|scene| &scene.structures) {
+        if !row.peer && fits(row) && !names.contains(&row.name.as_str()) {
+            names.push(&row.name);
+        }
+    }
+    let pairs = names.iter().enumerate().flat_map(|(i, a)| names[i + 1..].iter().map(|b| (*a, *b)));
+    let findings: Vec<Finding> = pairs
+        .flat_map(|pair| RayClass::ALL.map(|class| (pair, class)))
+        .filter_map(|((a, b), class)| finding(scenes, a, b, class))
+        .collect();
+    // The first of equals: classes are in the order of reports.
+    findings.into_iter().reduce(|best, own| {
+        let better = own.scenes.len() > best.scenes.len()
+            || (own.scenes.len() == best.scenes.len() && own.certainty() > best.certainty());
+        if better { own } else { best }
+    })
+}
+
+/// One structure against another with a class of rays; `None` if no scene supports a statement.
+fn finding(scenes: &[SceneRecord], a: &str, b: &str, class: RayClass) -> Option<Finding> {
+    let of_scene = |scene: &SceneRecord| {
+        let (a, b) = (traced(scene, a, class)?, traced(scene, b, class)?);
+        let ratio = ratio_of_estimates(&ray_times(b), &ray_times(a))?;
+        let rays = a.recorded_rays();
+        ratio.supports_a_statement().then(|| (scene.name.clone(), ratio, rays))
+    };
+    let seen: Vec<(String, Estimate, u64)> = scenes.iter().filter_map(of_scene).collect();
+    let mean = mean_ratio(&seen.iter().map(|scene| scene.1).collect::<Vec<_>>())?;
+    let swapped = mean.value < 1.0;
+    let (faster, slower) = if swapped { (b, a) } else { (a, b) };
+    let upright = |value: f64| if swapped { 1.0 / value } else { value };
+    let ratios = || seen.iter().map(|scene| upright(scene.1.value));
+    Some(Finding {
+        faster: faster.to_owned(),
+        slower: slower.to_owned(),
+        class,
+        ratio: mean.map(upright),
+        lowest: ratios().fold(f64::INFINITY, f64::min),
+        highest: ratios().fold(0.0, f64::max),
+        rays: seen.iter().map(|scene| scene.2).sum(),
+        scenes: seen.into_iter().map(|scene| scene.0).collect(),
+    })
+}
+
+fn traced<'a>(scene: &'a SceneRecord, name: &str, class: RayClass) -> Option<&'a ClassRecord> {
+    scene.structure(name)?.class(class)
+}
+
+/// The geometric mean of ratios with intervals. Their errors are independent, so the squares of the errors of their
+/// logarithms add up. `None` without ratios, or if one has no interval.
+fn mean_ratio(ratios: &[Estimate]) -> Option<Estimate> {
+    let n = ratios.len() as f64;
+    let logs: f64 = ratios.iter().map(|ratio| ratio.value.ln()).sum();
+    let squares: Option<f64> =
+        ratios.iter().map(|ratio| ratio.interval.map(|own| log_error(&own).powi(2))).sum();
+    let first = ratios.first()?;
+    let squares = squares?;
+    if let [only] = ratios {
+        return Some(*only);
+    }
+    let (value, reach) = ((logs / n).exp(), (NORMAL * squares.sqrt() / n).exp());
+    let rounds = ratios.iter().map(|ratio| ratio.rounds).min().unwrap_or(first.rounds);
+    let interval = Some(Interval { low: value / reach, high: value * reach });
+    Some(Estimate { value, interval, rounds })
+}
+
+/// The standard error of a logarithm, by the width of its interval.
+fn log_error(interval: &Interval) -> f64 {
+    (interval.high / interval.low).ln() / (2.0 * NORMAL)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::{Round, ShapeRecord};
+
+    fn scene(name: &str, structures: &[(&str, u32, &[u64])]) -> SceneRecord {
+        let row = |&(name, depth, ns): &(&str, u32, &[u64])| StructureRecord {
+            name: name.to_owned(),
+            shape: Some(ShapeRecord { depth, ..ShapeRecord::default() }),
+            classes: vec![ClassRecord {
+                class: RayClass::View,
+                rays: 10,
+                sample: None,
+                counted_rays: 10,
+                hits: 0,
+                boxes: None,
+                primitives: None,
+                rounds: ns.iter().map(|&wall_ns| Round { wall_ns, ..Round::default() }).collect(),
+            }],
+            ..StructureRecord::default()
+        };
+        let structures = structures.iter().map(row).collect();
+        SceneRecord { name: name.to_owned(), structures, ..SceneRecord::default() }
+    }
+
+    const SIX: [u64; 6] = [100; 6];
+
+    #[test]
+    fn trees_are_compared_with_trees_over_all_scenes() {
+        let quick = [25, 24, 25, 26, 25, 25];
+        let scenes = [
+            scene("a", &[("none", 0, &[9_000; 6]), ("bvh", 9, &SIX), ("wide", 5, &quick)]),
+            scene("b", &[("none", 0, &[7_000; 6]), ("bvh", 9, &SIX), ("wide", 5, &SIX)]),
+        ];
+        let finding = best_finding(&scenes).unwrap();
+        assert_eq!((finding.faster.as_str(), finding.slower.as_str()), ("wide", "bvh"));
+        assert!((finding.ratio.value - 2.0).abs() < 1e-12, "{finding:?}");
+        assert_eq!((finding.lowest, finding.highest), (1.0, 4.0));
+        assert_eq!((finding.scenes.len(), finding.rays), (2, 20));
+        assert!(finding.is_certain());
+    }
+
+    #[test]
+    fn without_two_trees_the_others_are_compared() {
+        let finding =
+            best_finding(&[scene("a", &[("none", 0, &[900; 6]), ("bvh", 9, &SIX)])]).unwrap();
+        assert_eq!((finding.faster.as_str(), finding.slower.as_str()), ("bvh", "none"));
+        assert_eq!(finding.ratio.value, 9.0);
+    }
+
+    #[test]
+    fn what_has_no_interval_or_a_wide_one_is_no_finding() {
+        let few = scene("a", &[("none", 0, &[900; 5]), ("bvh", 9, &[100; 5])]);
+        let wide = scene("b", &[("none", 0, &SIX), ("bvh", 9, &[10, 900, 20, 800, 30, 700])]);
+        assert_eq!(best_finding(&[few, wide]), None);
+    }
+}
