@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DAffine3, DQuat, DVec3, Vec3};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use srt::accel::{BuildConfig, Quality};
 use srt::assets::MeshData;
 use srt::conformance::adversarial_rays::rays_cut_at_hits;
@@ -19,16 +20,19 @@ use crate::{assert_equal, trace};
 
 #[test]
 fn random_scenes_of_transformed_objects() {
-    let mut compared = 0;
-    for seed in 0..8 {
-        for scale in [1e-3, 1.0, 1e6] {
+    let scales = [1e-3, 1.0, 1e6];
+    let cases: Vec<_> = (0..8).flat_map(|seed| scales.map(|scale| (seed, scale))).collect();
+    let compared: usize = cases
+        .par_iter()
+        .with_max_len(1)
+        .map(|&(seed, scale)| {
             // Many objects, and so few that one node holds them all.
-            compared += compare(&random_scene(seed, scale, 0..40), seed, 6_000);
-            compared += compare(&random_scene(seed, scale, 11..17), seed, 2_000);
-            // A mesh by itself.
-            compared += compare(&random_scene(seed, scale, 3..4), seed, 2_000);
-        }
-    }
+            compare(&random_scene(seed, scale, 0..40), seed, 6_000)
+                + compare(&random_scene(seed, scale, 11..17), seed, 2_000)
+                // A mesh by itself.
+                + compare(&random_scene(seed, scale, 3..4), seed, 2_000)
+        })
+        .sum();
     println!("{compared} rays compared, 0 differ");
     assert!(compared > 150_000, "only {compared} rays were compared");
 }
