@@ -72,6 +72,11 @@ pub(crate) fn unit_of(value: f64, units: &'static [Unit]) -> Unit {
     units.iter().find(fits).or(units.last()).copied().unwrap_or(("", 1.0))
 }
 
+/// A number in the unit that suits it; plain without units.
+pub(crate) fn in_units(value: f64, units: &'static [Unit]) -> String {
+    if units.is_empty() { figures(value) } else { with_unit(value, units) }
+}
+
 /// A number in the unit that suits it.
 fn with_unit(value: f64, units: &'static [Unit]) -> String {
     let (name, size) = unit_of(value, units);

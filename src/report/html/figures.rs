@@ -83,6 +83,7 @@ pub(super) fn pareto(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
         series: series.collect(),
         path: stairs(&front),
         rings: Vec::new(),
+        ring_meaning: "",
     }
     .draw()
 }
@@ -132,6 +133,7 @@ pub(super) fn break_even(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup
         series: series.collect(),
         path: Vec::new(),
         rings: meetings.iter().map(|&n| (n, total(base, n))).collect(),
+        ring_meaning: "the same time as the base",
     }
     .draw()
 }
@@ -155,6 +157,7 @@ pub(super) fn growth(page: &Page<'_>, sweep: &SweepFigures, class: RayClass) -> 
         series: curves.map(|curve| curve_series(page, curve)).collect(),
         path: Vec::new(),
         rings: Vec::new(),
+        ring_meaning: "",
     }
     .draw()
 }
@@ -225,6 +228,7 @@ pub(super) fn noise(analysis: &Analysis, scene: &str) -> Option<Markup> {
         series: series.collect(),
         path: Vec::new(),
         rings: Vec::new(),
+        ring_meaning: "",
     }
     .draw()
 }

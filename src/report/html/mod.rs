@@ -1,7 +1,8 @@
 //! Record → one self-contained HTML file.
 //!
-//! It has no script, no font and no external link: pictures are embedded, plots are inline SVG, and its content
-//! security policy forbids loading anything. Its style is for light and dark screens, phones and paper.
+//! It has no font and no external link: pictures are embedded, plots are inline SVG, and its content security policy
+//! forbids loading anything, and running any script but the one that sorts tables. The page is complete without that. Its
+//! style is for light and dark screens, phones and paper.
 
 mod contents;
 mod figures;
@@ -9,7 +10,10 @@ mod pictures;
 mod scene;
 mod table;
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use sha2::{Digest, Sha256};
 
 use super::limits::{limits, weaknesses};
 use super::plot::Looks;
@@ -20,7 +24,15 @@ use crate::record::{Comparison, Sweep};
 use table::{bare, table};
 
 const STYLE: &str = include_str!("style.css");
-const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'";
+const SCRIPT: &str = include_str!("sort.js");
+
+/// What the page may load: nothing; and run: the script whose hash this is.
+fn policy() -> String {
+    let hash = STANDARD.encode(Sha256::digest(SCRIPT));
+    format!(
+        "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-{hash}'"
+    )
+}
 
 /// The input of every part of the page.
 struct Page<'a> {
@@ -53,7 +65,7 @@ fn document(page: &Page<'_>) -> Markup {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
-                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                meta http-equiv="Content-Security-Policy" content=(policy());
                 meta name="generator" content=(format!("srt {}", page.report.comparison.run.version));
                 link rel="icon" href="data:,";
                 title { "srt compares " (names.join(", ")) }
@@ -78,6 +90,7 @@ fn document(page: &Page<'_>) -> Markup {
                     "Made by srt " (page.report.comparison.run.version) " from a record of schema version "
                     (page.report.comparison.schema_version) ". The JSON, CSV and Markdown files beside this page have the same numbers."
                 }
+                script { (PreEscaped(SCRIPT)) }
             }
         }
     }

@@ -3,7 +3,9 @@
 use maud::{Markup, html};
 
 use super::axis::{Axis, tick_label};
-use super::{LEAST_AREA, Look, WIDTH, at, figure, marker, text_width};
+use super::{
+    Drawing, Form, LEAST_AREA, Look, NARROW, WIDTH, at, figure, marker_with_value, text_width,
+};
 use crate::record::Estimate;
 use crate::report::numbers;
 
@@ -43,37 +45,106 @@ pub(in crate::report) fn dot_plot(
     groups: &[DotGroup],
 ) -> Option<Markup> {
     let groups: Vec<&DotGroup> = groups.iter().filter(|group| !group.dots.is_empty()).collect();
-    let dots = || groups.iter().flat_map(|group| &group.dots);
-    let left = LEFT.max(GROUP_NAME + text_width(dots().map(|dot| dot.name.as_str())));
-    let right = (WIDTH - RIGHT).max(left + LEAST_AREA);
-    let axis = Axis::around(dots().flat_map(ends).chain(line_at), (left, right))?;
-    let rows = dots().count() as f64;
-    let bottom = TOP + rows * ROW + groups.len() as f64 * GROUP_GAP;
-    let meaning = meaning(&groups, unit);
-    let drawing = html! {
-        (grid(&axis, (left + right) / 2.0, bottom, axis_label))
-        @if let Some(value) = line_at {
-            line class="base" x1=(at(axis.at(value))) x2=(at(axis.at(value))) y1=(TOP) y2=(at(bottom)) {}
-        }
-        @for (group, top) in groups.iter().zip(tops(&groups)) {
-            text class="group" x="6" y=(at(top + ROW * 0.72)) { (group.name) }
-            @for (dot, row) in group.dots.iter().zip(0u32..) {
-                (draw(dot, &axis, (left, right), top + (f64::from(row) + 0.5) * ROW, unit))
+    figure(title, &meaning(&groups, unit), |form| {
+        let dots = || groups.iter().flat_map(|group| &group.dots);
+        let layout = Layout::of(form, dots().map(|dot| dot.name.as_str()));
+        let axis = Axis::around(dots().flat_map(ends).chain(line_at), layout.area)?;
+        let bottom = TOP + groups.iter().map(|group| layout.height(group)).sum::<f64>();
+        let content = html! {
+            (grid(&axis, layout.middle(), bottom, axis_label))
+            @if let Some(value) = line_at {
+                line class="base" x1=(at(axis.at(value))) x2=(at(axis.at(value))) y1=(TOP) y2=(at(bottom)) {}
             }
-        }
-    };
-    Some(figure(title, &meaning, (right + RIGHT, bottom + BOTTOM), &drawing))
+            @for (group, top) in groups.iter().zip(layout.tops(&groups)) {
+                text class="group" x="6" y=(at(top + ROW * 0.72)) { (group.name) }
+                @for (dot, row) in group.dots.iter().zip(0u32..) {
+                    (layout.draw(dot, &axis, layout.first_row(top) + (f64::from(row) + 0.5) * layout.row, unit))
+                }
+            }
+        };
+        Some(Drawing { size: (layout.width, bottom + BOTTOM), content })
+    })
 }
 
-/// The top of each group.
-fn tops(groups: &[&DotGroup]) -> Vec<f64> {
-    let mut top = TOP + GROUP_GAP / 2.0;
-    let next = |group: &&DotGroup| {
-        let own = top;
-        top += group.dots.len() as f64 * ROW + GROUP_GAP;
-        own
-    };
-    groups.iter().map(next).collect()
+/// Where things stand in a form of the plot.
+struct Layout {
+    form: Form,
+    width: f64,
+    /// The ends of the axis.
+    area: (f64, f64),
+    /// The height of a measurement.
+    row: f64,
+}
+
+impl Layout {
+    fn of<'a>(form: Form, names: impl Iterator<Item = &'a str>) -> Self {
+        match form {
+            Form::Wide => {
+                let left = LEFT.max(GROUP_NAME + text_width(names));
+                let right = (WIDTH - RIGHT).max(left + LEAST_AREA);
+                Self { form, width: right + RIGHT, area: (left, right), row: ROW }
+            }
+            // The name and the number stand above the interval.
+            Form::Narrow => {
+                Self { form, width: NARROW, area: (12.0, NARROW - 12.0), row: 2.0 * ROW }
+            }
+        }
+    }
+
+    fn middle(&self) -> f64 {
+        (self.area.0 + self.area.1) / 2.0
+    }
+
+    /// The height of a group, with what is left free around it.
+    fn height(&self, group: &DotGroup) -> f64 {
+        group.dots.len() as f64 * self.row + GROUP_GAP + self.first_row(0.0)
+    }
+
+    /// The top of a group's first row: in the narrow form its name has a line of its own.
+    fn first_row(&self, top: f64) -> f64 {
+        if self.form == Form::Narrow { top + ROW } else { top }
+    }
+
+    /// The top of each group.
+    fn tops(&self, groups: &[&DotGroup]) -> Vec<f64> {
+        let mut top = TOP + GROUP_GAP / 2.0;
+        let next = |group: &&DotGroup| {
+            let own = top;
+            top += self.height(group);
+            own
+        };
+        groups.iter().map(next).collect()
+    }
+
+    /// A measurement about a height.
+    fn draw(&self, dot: &Dot, axis: &Axis, y: f64, unit: &str) -> Markup {
+        let (left, right) = self.area;
+        let value = words(dot.value, unit);
+        let told = format!("{}: {value}", dot.name);
+        match self.form {
+            Form::Wide => html! {
+                text class="name" x=(at(left - 12.0)) y=(at(y + 4.0)) text-anchor="end" { (dot.name) }
+                (interval(dot, axis, y))
+                (marker_with_value(dot.look, axis.at(dot.value.value), y, &told))
+                text class="value" x=(at(right + 10.0)) y=(at(y + 4.0)) { (value) }
+            },
+            Form::Narrow => html! {
+                text class="name" x=(at(left)) y=(at(y - ROW / 4.0)) { (dot.name) }
+                text class="value" x=(at(right)) y=(at(y - ROW / 4.0)) text-anchor="end" { (value) }
+                (interval(dot, axis, y + ROW / 2.0))
+                (marker_with_value(dot.look, axis.at(dot.value.value), y + ROW / 2.0, &told))
+            },
+        }
+    }
+}
+
+fn interval(dot: &Dot, axis: &Axis, y: f64) -> Markup {
+    let class = format!("line {}", dot.look.color_class());
+    html! {
+        @if let Some(interval) = dot.value.interval {
+            line class=(class) x1=(at(axis.clamped(interval.low))) x2=(at(axis.clamped(interval.high))) y1=(at(y)) y2=(at(y)) {}
+        }
+    }
 }
 
 fn grid(axis: &Axis, middle: f64, bottom: f64, label: &str) -> Markup {
@@ -84,19 +155,6 @@ fn grid(axis: &Axis, middle: f64, bottom: f64, label: &str) -> Markup {
             text class="tick" x=(x) y=(at(bottom + 17.0)) text-anchor="middle" { (tick_label(tick, &[])) }
         }
         text class="axis" x=(at(middle)) y=(at(bottom + 37.0)) text-anchor="middle" { (label) }
-    }
-}
-
-fn draw(dot: &Dot, axis: &Axis, (left, right): (f64, f64), y: f64, unit: &str) -> Markup {
-    let x = axis.at(dot.value.value);
-    let class = format!("line {}", dot.look.color_class());
-    html! {
-        text class="name" x=(at(left - 12.0)) y=(at(y + 4.0)) text-anchor="end" { (dot.name) }
-        @if let Some(interval) = dot.value.interval {
-            line class=(class) x1=(at(axis.clamped(interval.low))) x2=(at(axis.clamped(interval.high))) y1=(at(y)) y2=(at(y)) {}
-        }
-        (marker(dot.look, x, y))
-        text class="value" x=(at(right + 10.0)) y=(at(y + 4.0)) { (words(dot.value, unit)) }
     }
 }
 

@@ -3,10 +3,14 @@
 use maud::{Markup, html};
 
 use super::axis::{Axis, AxisKind};
-use super::{LEAST_AREA, Look, WIDTH, at, figure, marker, text_width};
+use super::{Drawing, Form, LEAST_AREA, Look, NARROW, WIDTH, at, figure, marker, text_width};
 
 const LEFT: f64 = 120.0;
 const RIGHT: f64 = 20.0;
+/// The height of a name in the narrow form.
+const HEAD: f64 = 20.0;
+/// Bars that are narrower have no number on them.
+const LEAST_LABELLED: f64 = 24.0;
 /// From the left: where a name begins, right of its marker.
 const NAME: f64 = 24.0;
 const TOP: f64 = 8.0;
@@ -33,21 +37,34 @@ pub(in crate::report) fn histogram(title: &str, all: &[Bars]) -> Option<Markup> 
     let columns = longest.min(SIZES + 2);
     let shares: Vec<Vec<f64>> = all.iter().map(|bars| shares(&bars.counts)).collect();
     let largest = shares.iter().flatten().copied().fold(0.0, f64::max);
-    let left = LEFT.max(NAME + 12.0 + text_width(all.iter().map(|bars| bars.name.as_str())));
-    let right = (WIDTH - RIGHT).max(left + LEAST_AREA);
-    let x = Axis::new(AxisKind::Linear, (0.0, columns as f64), (left, right));
-    let bottom = TOP + all.len() as f64 * (PANEL + GAP) - GAP;
-    let drawing = html! {
-        @for ((bars, shares), panel) in all.iter().zip(&shares).zip(0u32..) {
-            (draw(bars, shares, largest, &x, (left, right), TOP + f64::from(panel) * (PANEL + GAP)))
-        }
-        @for column in 0..columns {
-            text class="tick" x=(at(x.at(column as f64 + 0.5))) y=(at(bottom + 16.0)) text-anchor="middle" { (size_name(column)) }
-        }
-        text class="axis" x=(at((left + right) / 2.0)) y=(at(bottom + 37.0)) text-anchor="middle" { "primitives in a leaf" }
-    };
-    let size = (right + RIGHT, bottom + BOTTOM);
-    Some(figure(title, &meaning(&all, &shares), size, &drawing))
+    figure(title, &meaning(&all, &shares), |form| {
+        let names = text_width(all.iter().map(|bars| bars.name.as_str()));
+        let (left, right, head) = match form {
+            Form::Wide => {
+                let left = LEFT.max(NAME + 12.0 + names);
+                (left, (WIDTH - RIGHT).max(left + LEAST_AREA), 0.0)
+            }
+            // The name stands above.
+            Form::Narrow => (8.0, NARROW - 8.0, HEAD),
+        };
+        let x = Axis::new(AxisKind::Linear, (0.0, columns as f64), (left, right));
+        let step = PANEL + GAP + head;
+        let bottom = TOP + all.len() as f64 * step - GAP;
+        let content = html! {
+            @for ((bars, shares), panel) in all.iter().zip(&shares).zip(0u32..) {
+                @let top = TOP + f64::from(panel) * step;
+                @let name = if form == Form::Wide { top + PANEL / 2.0 } else { top + HEAD / 2.0 };
+                (marker(bars.look, 12.0, name))
+                text class="name" x=(NAME) y=(at(name + 4.0)) { (bars.name) }
+                (draw(bars, shares, largest, &x, (left, right), top + head))
+            }
+            @for column in 0..columns {
+                text class="tick" x=(at(x.at(column as f64 + 0.5))) y=(at(bottom + 16.0)) text-anchor="middle" { (size_name(column)) }
+            }
+            text class="axis" x=(at((left + right) / 2.0)) y=(at(bottom + 37.0)) text-anchor="middle" { "primitives in a leaf" }
+        };
+        Some(Drawing { size: (right + RIGHT.min(left), bottom + BOTTOM), content })
+    })
 }
 
 fn draw(
@@ -61,15 +78,17 @@ fn draw(
     let y = Axis::new(AxisKind::Linear, (0.0, largest * 1.25), (top + PANEL, top));
     let class = format!("bar {}", bars.look.color_class());
     html! {
-        (marker(bars.look, 12.0, top + PANEL / 2.0))
-        text class="name" x=(NAME) y=(at(top + PANEL / 2.0 + 4.0)) { (bars.name) }
         line class="grid" x1=(at(left)) x2=(at(right)) y1=(at(top + PANEL)) y2=(at(top + PANEL)) {}
         @for (column, &share) in shares.iter().enumerate() {
             @if share > 0.0 {
                 @let start = x.at(column as f64 + 0.12);
                 @let height = (top + PANEL - y.at(share)).max(0.6);
-                rect class=(class) x=(at(start)) y=(at(top + PANEL - height)) width=(at(x.at(column as f64 + 0.88) - start)) height=(at(height)) {}
-                text class="tick" x=(at(x.at(column as f64 + 0.5))) y=(at(top + PANEL - height - 4.0)) text-anchor="middle" { (percent(share)) }
+                @let width = x.at(column as f64 + 0.88) - start;
+                g {
+                    title { (bars.name) ", " (size_name(column)) ": " (percent(share)) }
+                    rect class=(class) x=(at(start)) y=(at(top + PANEL - height)) width=(at(width)) height=(at(height)) {}
+                }
+                @if width >= LEAST_LABELLED { text class="tick" x=(at(x.at(column as f64 + 0.5))) y=(at(top + PANEL - height - 4.0)) text-anchor="middle" { (percent(share)) } }
             }
         }
     }

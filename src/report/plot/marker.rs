@@ -14,6 +14,11 @@ const R: f64 = 4.6;
 /// A plus sign of arms of this half width and length.
 const ARM: (f64, f64) = (0.4, 1.2);
 
+/// The marker of a look at a place, which tells its value when the pointer is over it.
+pub(super) fn marker_with_value(look: Look, x: f64, y: f64, value: &str) -> Markup {
+    html! { g { title { (value) } (marker(look, x, y)) } }
+}
+
 /// The marker of a look at a place.
 pub(super) fn marker(look: Look, x: f64, y: f64) -> Markup {
     let class = format!("mark {}", look.color_class());

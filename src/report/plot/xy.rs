@@ -3,8 +3,11 @@
 use maud::{Markup, html};
 
 use super::axis::{Axis, tick_label};
-use super::{LEAST_AREA, Look, WIDTH, at, figure, marker, text_width};
-use crate::report::numbers::Unit;
+use super::{
+    Drawing, Form, LEAST_AREA, Look, NARROW, WIDTH, at, figure, marker, marker_with_value,
+    text_width,
+};
+use crate::report::numbers::{self, Unit};
 
 const LEFT: f64 = 76.0;
 const RIGHT: f64 = 210.0;
@@ -13,6 +16,9 @@ const HEIGHT: f64 = 360.0;
 const BOTTOM: f64 = 50.0;
 /// The least distance of names below each other.
 const NAME: f64 = 17.0;
+/// In the narrow form.
+const NARROW_LEFT: f64 = 66.0;
+const NARROW_HEIGHT: f64 = 260.0;
 /// From the right end of the x axis to the names.
 const NAME_LEFT: f64 = 30.0;
 
@@ -56,32 +62,66 @@ pub(in crate::report) struct XyPlot {
     pub(in crate::report) path: Vec<(f64, f64)>,
     /// Places with a ring around them.
     pub(in crate::report) rings: Vec<(f64, f64)>,
+    /// What a ring means.
+    pub(in crate::report) ring_meaning: &'static str,
 }
 
 impl XyPlot {
     /// Draws it; `None` if there is nothing with positive coordinates.
     pub(in crate::report) fn draw(&self) -> Option<Markup> {
+        figure(&self.title, &self.meaning, |form| self.draw_in(form))
+    }
+
+    fn draw_in(&self, form: Form) -> Option<Drawing> {
         let all = || self.series.iter().flat_map(|s| s.points.iter().chain(&s.line));
         let names = RIGHT.max(NAME_LEFT + text_width(self.series.iter().map(|s| s.name.as_str())));
-        let right = (WIDTH - names).max(LEFT + LEAST_AREA);
-        let bottom = TOP + HEIGHT.max(self.series.len() as f64 * NAME);
-        let x = Axis::around(all().map(|p| p.0), (LEFT, right))?;
+        let (left, right, height) = match form {
+            Form::Wide => {
+                let right = (WIDTH - names).max(LEFT + LEAST_AREA);
+                (LEFT, right, HEIGHT.max(self.series.len() as f64 * NAME))
+            }
+            Form::Narrow => (NARROW_LEFT, NARROW - 8.0, NARROW_HEIGHT),
+        };
+        let bottom = TOP + height;
+        let x = Axis::around(all().map(|p| p.0), (left, right))?;
         let intervals = self.series.iter().flat_map(|s| s.intervals.iter().flatten());
         let heights = all().map(|p| p.1).chain(intervals.flat_map(|i| [i.0, i.1]));
         let y = Axis::around(heights, (bottom, TOP))?;
-        let drawing = html! {
-            (self.grid(&x, &y, (right, bottom)))
+        // The key of the rings is below the axis, in the narrow form above the names.
+        let key = if self.rings.is_empty() { 0.0 } else { NAME };
+        let below = bottom + BOTTOM + key;
+        let (size, key_at) = match form {
+            Form::Wide => ((right + names, below), (left + 12.0, bottom + BOTTOM + 4.0)),
+            Form::Narrow => {
+                let names = self.series.len() as f64 * NAME;
+                ((NARROW, below + names), (NARROW_LEFT, bottom + BOTTOM + 4.0))
+            }
+        };
+        let content = html! {
+            (self.grid(&x, &y, (left, right), bottom))
             @if self.path.len() > 1 { polyline class="front" points=(corners(&self.path, &x, &y)) {} }
-            @for series in &self.series { (draw(series, &x, &y)) }
+            @for series in &self.series { (self.draw_series(series, &x, &y)) }
             @for ring in &self.rings {
                 circle class="ring" cx=(at(x.at(ring.0))) cy=(at(y.at(ring.1))) r="9" {}
             }
-            (name_column(&self.series, &y, (right, bottom)))
+            @if !self.rings.is_empty() { (self.ring_key(key_at)) }
+            @match form {
+                Form::Wide => { (name_column(&self.series, &y, (right, bottom))) }
+                Form::Narrow => { (name_list(&self.series, below)) }
+            }
         };
-        Some(figure(&self.title, &self.meaning, (right + names, bottom + BOTTOM), &drawing))
+        Some(Drawing { size, content })
     }
 
-    fn grid(&self, x: &Axis, y: &Axis, (right, bottom): (f64, f64)) -> Markup {
+    /// What a ring means.
+    fn ring_key(&self, (left, y): (f64, f64)) -> Markup {
+        html! {
+            circle class="ring" cx=(at(left)) cy=(at(y)) r="6" {}
+            text class="axis" x=(at(left + 14.0)) y=(at(y + 4.0)) { (self.ring_meaning) }
+        }
+    }
+
+    fn grid(&self, x: &Axis, y: &Axis, (left, right): (f64, f64), bottom: f64) -> Markup {
         html! {
             @for tick in x.ticks() {
                 @let place = at(x.at(tick));
@@ -90,30 +130,50 @@ impl XyPlot {
             }
             @for tick in y.ticks() {
                 @let place = y.at(tick);
-                line class="grid" x1=(LEFT) x2=(at(right)) y1=(at(place)) y2=(at(place)) {}
-                text class="tick" x=(at(LEFT - 8.0)) y=(at(place + 4.0)) text-anchor="end" { (tick_label(tick, self.y.units)) }
+                line class="grid" x1=(at(left)) x2=(at(right)) y1=(at(place)) y2=(at(place)) {}
+                text class="tick" x=(at(left - 8.0)) y=(at(place + 4.0)) text-anchor="end" { (tick_label(tick, self.y.units)) }
             }
-            text class="axis" x=(at((LEFT + right) / 2.0)) y=(at(bottom + 40.0)) text-anchor="middle" { (self.x.label) }
+            text class="axis" x=(at((left + right) / 2.0)) y=(at(bottom + 40.0)) text-anchor="middle" { (self.x.label) }
             text class="axis" transform=(format!("translate(14 {}) rotate(-90)", at((TOP + bottom) / 2.0))) text-anchor="middle" { (self.y.label) }
+        }
+    }
+
+    /// A point's series and coordinates.
+    fn words(&self, series: &XySeries, point: (f64, f64)) -> String {
+        let x = numbers::in_units(point.0, self.x.units);
+        let y = numbers::in_units(point.1, self.y.units);
+        format!("{}: {x}, {y}", series.name)
+    }
+
+    fn draw_series(&self, series: &XySeries, x: &Axis, y: &Axis) -> Markup {
+        let fit = if series.fit { " fit" } else { "" };
+        let line = format!("line {}{fit}", series.look.line_classes());
+        let interval_line = format!("line {}", series.look.color_class());
+        html! {
+            @if series.line.len() > 1 {
+                polyline class=(line) points=(corners(&series.line, x, y)) {}
+            }
+            @for (point, interval) in series.points.iter().zip(&series.intervals) {
+                @let place = at(x.at(point.0));
+                @if let Some((low, high)) = interval {
+                    line class=(interval_line) x1=(place) x2=(place) y1=(at(y.at(*low))) y2=(at(y.at(*high))) {}
+                }
+            }
+            @for point in &series.points {
+                (marker_with_value(series.look, x.at(point.0), y.at(point.1), &self.words(series, *point)))
+            }
         }
     }
 }
 
-fn draw(series: &XySeries, x: &Axis, y: &Axis) -> Markup {
-    let fit = if series.fit { " fit" } else { "" };
-    let line = format!("line {}{fit}", series.look.line_classes());
-    let interval_line = format!("line {}", series.look.color_class());
+/// Names below the plot, in their order.
+fn name_list(series: &[XySeries], top: f64) -> Markup {
     html! {
-        @if series.line.len() > 1 {
-            polyline class=(line) points=(corners(&series.line, x, y)) {}
+        @for (series, line) in series.iter().zip(0u32..) {
+            @let y = top + (f64::from(line) + 0.3) * NAME;
+            (marker(series.look, NARROW_LEFT, y))
+            text class="name" x=(at(NARROW_LEFT + 14.0)) y=(at(y + 4.0)) { (series.name) }
         }
-        @for (point, interval) in series.points.iter().zip(&series.intervals) {
-            @let place = at(x.at(point.0));
-            @if let Some((low, high)) = interval {
-                line class=(interval_line) x1=(place) x2=(place) y1=(at(y.at(*low))) y2=(at(y.at(*high))) {}
-            }
-        }
-        @for point in &series.points { (marker(series.look, x.at(point.0), y.at(point.1))) }
     }
 }
 

@@ -184,13 +184,13 @@ pub(in crate::report) fn ray_table(figures: &SceneFigures) -> Table {
     let heads = [
         "Class",
         "Structure",
+        "#× base",
+        "#M rays/s",
+        "#ns/ray",
         "#Rays",
         "#Hits",
         "#Boxes/ray",
         "#Primitives/ray",
-        "#ns/ray",
-        "#M rays/s",
-        "#× base",
         "#Rounds",
         "#Wall/own time",
     ];
@@ -241,6 +241,9 @@ fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
     vec![
         Cell::text(class.class.name()),
         Cell::text(structure),
+        Cell::compared(class.speedup),
+        Cell::compared(class.million_rays_per_second),
+        Cell::compared(class.ns_per_ray),
         Cell {
             text: numbers::whole(class.rays),
             spread: class
@@ -250,9 +253,6 @@ fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
         Cell::of(class.hit_share, numbers::percent),
         Cell::of(class.boxes_per_ray, numbers::figures),
         Cell::of(class.primitives_per_ray, numbers::figures),
-        Cell::compared(class.ns_per_ray),
-        Cell::compared(class.million_rays_per_second),
-        Cell::compared(class.speedup),
         Cell::of(class.ns_per_ray, |estimate| estimate.rounds.to_string()),
         Cell::of(class.disturbance, |disturbance| {
             let mark = if class.is_disturbed() { " †" } else { "" };
