@@ -30,6 +30,8 @@ pub struct BoundingBall {
 }
 
 impl Accel for BoundingBall {
+    const ONE_BY_ONE: bool = true;
+
     fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
         Built { accel: Self::around(primitives), order: None }
     }

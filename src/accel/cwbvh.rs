@@ -41,6 +41,8 @@ const BUILDER: OptionInfo = Builder::option("ploc");
 const LEAF: OptionInfo = OptionInfo::leaf(MOST, "3; in the fastest build 1");
 
 impl Accel for CompressedWideBvh {
+    const ONE_BY_ONE: bool = true;
+
     const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
 
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {

@@ -201,4 +201,8 @@ impl<P: Primitives, A: Accel> Tracer for Indexed<P, A> {
             }
         }
     }
+
+    fn is_one_by_one(&self) -> bool {
+        A::ONE_BY_ONE
+    }
 }

@@ -22,7 +22,7 @@ Writes report.html, report.md, report.csv, report.json and the pictures into the
 --sampling-study, sampling.csv too.\n\n\
 Exit codes: 0 all results are equal and nothing became slower; 1 a structure failed or its results\n\
 differ, or --baseline shows a regression; 2 trouble, or the baseline has nothing in common with\n\
-the comparison; 130 interrupted: what was done is written.\n\n\
+the comparison; 130 interrupted by Ctrl-C, 128 + n by another signal n: what was done is written.\n\n\
 Examples:\n  \
 srt compare scenes/hall.sce\n  \
 srt compare scenes/*.sce --accel bvh,cwbvh --budget 60 --out results/trees\n  \
