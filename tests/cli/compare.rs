@@ -250,3 +250,22 @@ fn an_interrupted_comparison_is_written_and_marked() {
     }
     panic!("the comparison never began");
 }
+
+/// Unix file names are bytes. Reports show them as far as they are text.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_scene_whose_name_is_no_text_is_compared() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let folder = folder();
+    let name = OsStr::from_bytes(b"caf\xe9.sce");
+    std::fs::rename(folder.path().join("scene.sce"), folder.path().join(name)).unwrap();
+    let arguments = ["compare", "--accel", "bvh,bvh8", "--budget", "1", "--out", "out"];
+    let output = crate::support::srt(&arguments).arg(name).current_dir(folder.path()).output();
+    let output = output.unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let record = json(&folder.path().join("out/report.json"));
+    assert_eq!(record["scenes"][0]["name"], "caf\u{fffd}");
+    assert!(folder.path().join("out/report.html").exists());
+}
