@@ -135,6 +135,10 @@ pub trait Accel: Sized + Send + Sync {
     /// is left at `false`, a rendering stops at the ends of whole slices.
     const ONE_BY_ONE: bool = false;
 
+    /// The bytes that a build takes at its peak for each primitive, roughly, the index itself included
+    /// and the primitives not: what does not fit into memory is refused before it is built.
+    const BUILD_BYTES: u64 = 0;
+
     /// Builds the index. `primitives` may be empty.
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self>;
 
