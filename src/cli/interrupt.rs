@@ -94,11 +94,13 @@ impl Interrupt {
 /// Calls `receive` with the number of each signal that would end the process, on a thread of its own.
 #[cfg(unix)]
 fn listen(receive: impl Fn(u8) + Send + 'static) -> io::Result<()> {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXFSZ};
 
     let ignored = ignored_signals();
     let wanted = [SIGINT, SIGTERM, SIGHUP, SIGQUIT];
     let heard = wanted.into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 0);
+    // A file that grows beyond the limit of files is an error of the write, not the end of the process.
+    signal_hook::flag::register(SIGXFSZ, Arc::default())?;
     let mut signals = signal_hook::iterator::Signals::new(heard)?;
     let listener = std::thread::Builder::new().name("signals".to_owned());
     listener.spawn(move || {
