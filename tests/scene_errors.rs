@@ -27,7 +27,8 @@ fn unknown_commands_are_warnings_in_lenient_mode() {
     let source = std::fs::read_to_string(folder.join("unknown_command.sce")).unwrap();
     // Its `pushmatrix` is skipped, so its `pop_matrix` has nothing to restore.
     let source = source.replace("pop_matrix\n", "");
-    let parsed = parse(&source, &ParseOptions { lenient: true }).unwrap();
+    let parsed =
+        parse(&source, &ParseOptions { lenient: true, ..ParseOptions::default() }).unwrap();
     let text = render_diagnostics(&parsed.warnings, &source, "lenient.sce", false);
     insta::with_settings!({ prepend_module_to_snapshot => false, omit_expression => true }, {
         insta::assert_snapshot!("lenient", text);

@@ -242,7 +242,7 @@ fn the_formats_description_has_every_command() {
 /// Parses, and shows what there is to be shown.
 fn survives(text: &str) {
     for lenient in [false, true] {
-        match parse(text, &ParseOptions { lenient }) {
+        match parse(text, &ParseOptions { lenient, ..ParseOptions::default() }) {
             Ok(parsed) => {
                 assert!(parsed.warnings.iter().all(|w| !w.is_error()));
                 let _ = render_diagnostics(&parsed.warnings, text, "a.sce", lenient);

@@ -18,8 +18,12 @@ use super::{
     Accel, Bounded, Build, Built, Decoder, Encoder, LoadError, Portable, Slots, StructureShape,
 };
 
-/// Below this length of a direction `t` can leave the range of floats; such rays skip nothing.
+/// Below this length of a direction `t` can leave the range of floats; such rays skip nothing. Nor do
+/// those so fast that a [`STEP`] of `t`, by which slab tests may err, takes them farther than the padding.
 const SHORTEST_DIR: f64 = 1e-30;
+
+/// The distance between neighbouring parameters that are smaller than the normal numbers.
+const STEP: f64 = f32::from_bits(1) as f64;
 
 /// Offers everything to the rays that hit the ball, nothing to the others.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +34,8 @@ pub struct BoundingBall {
 }
 
 impl Accel for BoundingBall {
+    const ONE_BY_ONE: bool = true;
+
     fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
         Built { accel: Self::around(primitives), order: None }
     }
@@ -95,7 +101,8 @@ impl BoundingBall {
     fn may_hit(&self, ray: &Ray, pad: f32) -> bool {
         let dir = ray.dir.as_dvec3();
         let dir_squared = dir.length_squared();
-        if dir_squared < SHORTEST_DIR * SHORTEST_DIR {
+        let square_pad = f64::from(pad) * f64::from(pad);
+        if dir_squared < SHORTEST_DIR * SHORTEST_DIR || dir_squared * (STEP * STEP) > square_pad {
             return true;
         }
         // A point that a padded box accepts is at most 1.1 paddings outside of it on each axis.

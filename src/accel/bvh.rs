@@ -56,6 +56,11 @@ const BUILDER: OptionInfo = Builder::option("ploc");
 const LEAF: OptionInfo = OptionInfo::leaf(32, "8; in the fastest build 1");
 
 impl Accel for Bvh {
+    const ONE_BY_ONE: bool = true;
+
+    /// As measured.
+    const BUILD_BYTES: u64 = 220;
+
     const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
 
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {

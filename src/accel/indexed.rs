@@ -10,6 +10,9 @@ use super::{
     Scratch, StructureShape, Tracer, Tree, search_one,
 };
 
+/// What debug builds say of rays whose hits are not defined.
+const OUT_OF_RANGE: &str = "a ray has an infinite component: see `Ray::check`";
+
 /// Primitives, in the order of their structure.
 ///
 /// This is all that rays need, without any scene.
@@ -149,6 +152,7 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         ray: &Ray,
         counters: &mut C,
     ) -> Q::Answer {
+        debug_assert!(!ray.is_infinite(), "{}", OUT_OF_RANGE);
         search_one(&self.accel, query, &self.primitives, ray, counters)
     }
 
@@ -165,6 +169,7 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         counters: &mut C,
     ) {
         assert_eq!(rays.len(), answers.len(), "an answer for each ray");
+        debug_assert!(!rays.iter().any(Ray::is_infinite), "{}", OUT_OF_RANGE);
         self.accel.search(query, &self.primitives, rays, answers, scratch, counters);
     }
 
@@ -200,5 +205,9 @@ impl<P: Primitives, A: Accel> Tracer for Indexed<P, A> {
                 self.search_counted(&AnyHit, rays, blocked, scratch, counts);
             }
         }
+    }
+
+    fn is_one_by_one(&self) -> bool {
+        A::ONE_BY_ONE
     }
 }

@@ -130,6 +130,15 @@ pub trait Accel: Sized + Send + Sync {
     /// The options that a build looks for in [`BuildConfig::options`], each of its own name.
     const OPTIONS: &'static [OptionInfo] = &[];
 
+    /// Whether [`search`](Self::search) is left as it is here. Then a slice of rays may be cut anywhere,
+    /// and neither its time nor its counts change: the renderer cuts it to be stopped at once. If this
+    /// is left at `false`, a rendering stops at the ends of whole slices.
+    const ONE_BY_ONE: bool = false;
+
+    /// The bytes that a build takes at its peak for each primitive, roughly, the index itself included
+    /// and the primitives not: what does not fit into memory is refused before it is built.
+    const BUILD_BYTES: u64 = 0;
+
     /// Builds the index. `primitives` may be empty.
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self>;
 
@@ -262,4 +271,10 @@ pub trait Tracer: Send + Sync {
         scratch: &mut Scratch,
         counts: Option<&mut Counts>,
     );
+
+    /// Whether rays are searched one by one, so that it does not matter how many are in a slice
+    /// ([`Accel::ONE_BY_ONE`]).
+    fn is_one_by_one(&self) -> bool {
+        false
+    }
 }

@@ -3,6 +3,8 @@
 //! A query is one type, known to structures, primitives and tracers alike. Its answer grows while a
 //! ray is searched: it starts empty and records hits, and the query knows from it how far further hits would count.
 
+use std::ops::Range;
+
 use crate::math::{Hit, Ray};
 
 /// What a hit does to the rest of a ray's search.
@@ -274,6 +276,25 @@ impl Answers<'_> {
         match self {
             Self::ClosestHit(hits) => Answers::ClosestHit(hits),
             Self::AnyHit(blocked) => Answers::AnyHit(blocked),
+        }
+    }
+
+    /// The memory for some of the rays, lent for a shorter time.
+    ///
+    /// # Panics
+    /// If there are not so many.
+    pub fn part(&mut self, rays: Range<usize>) -> Answers<'_> {
+        match self {
+            Self::ClosestHit(hits) => Answers::ClosestHit(&mut hits[rays]),
+            Self::AnyHit(blocked) => Answers::AnyHit(&mut blocked[rays]),
+        }
+    }
+
+    /// Makes all of them answers of rays that hit nothing.
+    pub fn clear(&mut self) {
+        match self {
+            Self::ClosestHit(hits) => hits.fill(Hit::MISS),
+            Self::AnyHit(blocked) => blocked.fill(false),
         }
     }
 

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use super::MemoryShortage;
 use super::generate::RecipeError;
 
 /// A mesh that cannot be loaded: which one, why, where in its file, and what would be right.
@@ -93,6 +94,14 @@ pub enum Problem {
         path: PathBuf,
         /// How many there were.
         dropped: usize,
+    },
+    /// More than there is memory for.
+    #[error("the mesh `{name}` is too large: {shortage}")]
+    NoMemory {
+        /// As the scene names it.
+        name: String,
+        /// How much it would take, together with the meshes before it.
+        shortage: MemoryShortage,
     },
     /// A name that starts with `generate:` and is not that of a generated mesh.
     #[error(transparent)]

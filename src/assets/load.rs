@@ -9,7 +9,9 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::generate::{Recipe, generate};
-use super::{AssetError, FileLine, MeshData, Problem, obj};
+use super::{
+    AssetError, FileLine, MemoryShortage, MeshData, Problem, expect_memory, obj, read_file,
+};
 use crate::description::MeshReference;
 
 /// Loads the meshes of a scene: the i-th of the result is that of the i-th reference.
@@ -46,7 +48,12 @@ pub fn load_meshes(
             })
         })
         .collect();
-    let loaded: Vec<_> = distinct.par_iter().map(|source| source.load().map(Arc::new)).collect();
+    let shortages = shortages(&distinct);
+    let load = |(source, shortage): (&&Source, Option<MemoryShortage>)| match shortage {
+        Some(shortage) => Err(source.too_large(shortage)),
+        None => source.load().map(Arc::new),
+    };
+    let loaded: Vec<_> = distinct.par_iter().zip(shortages).map(load).collect();
     let mut meshes = Vec::new();
     let mut errors = Vec::new();
     for (reference, &slot) in slot_of.iter().enumerate() {
@@ -56,6 +63,18 @@ pub fn load_meshes(
         }
     }
     if errors.is_empty() { Ok(meshes) } else { Err(errors) }
+}
+
+/// For each source, whether it and those before it take more memory than there is.
+fn shortages(sources: &[&Source]) -> Vec<Option<MemoryShortage>> {
+    let mut needed = 0u64;
+    let shortage = |source: &&Source| {
+        let own = source.bytes();
+        needed = needed.saturating_add(own);
+        // What takes nothing is not at fault.
+        if own == 0 { None } else { expect_memory(needed).err() }
+    };
+    sources.iter().map(shortage).collect()
 }
 
 /// Where a mesh comes from.
@@ -114,9 +133,33 @@ impl Source {
         }
     }
 
+    /// What it takes to make the mesh in memory, roughly.
+    fn bytes(&self) -> u64 {
+        /// The text, and about as much again for what is read from it.
+        const OF_FILE: u64 = 2;
+        match self {
+            Self::File { path, .. } => {
+                let is_file = |metadata: &fs::Metadata| metadata.is_file();
+                fs::metadata(path).ok().filter(is_file).map_or(0, |file| OF_FILE * file.len())
+            }
+            Self::Recipe(recipe) => recipe.bytes(),
+            Self::Nothing { .. } => 0,
+        }
+    }
+
+    fn too_large(&self, shortage: MemoryShortage) -> Box<LoadFailure> {
+        let name = match self {
+            Self::File { path, .. } => path.display().to_string(),
+            Self::Recipe(recipe) => recipe.to_string(),
+            Self::Nothing { name, .. } => name.clone(),
+        };
+        let help = "use a mesh of fewer triangles, or let the program use more memory".to_owned();
+        LoadFailure::new(Problem::NoMemory { name, shortage }, Some(help))
+    }
+
     fn load(&self) -> Result<MeshData, Box<LoadFailure>> {
         match self {
-            Self::File { path, .. } => read_file(path),
+            Self::File { path, .. } => read_mesh(path),
             Self::Recipe(recipe) => Ok(generate(recipe.kind, recipe.triangles, recipe.seed)),
             Self::Nothing { failure, .. } => Err(failure.clone()),
         }
@@ -164,8 +207,8 @@ fn similar_name(path: &Path) -> String {
     }
 }
 
-fn read_file(path: &Path) -> Result<MeshData, Box<LoadFailure>> {
-    let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+fn read_mesh(path: &Path) -> Result<MeshData, Box<LoadFailure>> {
+    let bytes = read_file(path).map_err(|error| unreadable(path, &error))?;
     if let Some(format) = other_format(path, &bytes) {
         let help = "meshes are read as Wavefront OBJ: convert it".to_owned();
         return Err(LoadFailure::new(

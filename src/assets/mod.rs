@@ -7,10 +7,14 @@
 mod error;
 pub mod generate;
 mod load;
+mod memory;
 mod mesh_data;
 mod normals;
 mod obj;
+mod read;
 
 pub use error::{AssetError, FileLine, Problem};
 pub use load::load_meshes;
+pub use memory::{MemoryShortage, available_memory, expect_memory};
 pub use mesh_data::MeshData;
+pub use read::{read_file, read_stream};

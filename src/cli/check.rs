@@ -19,7 +19,7 @@ pub(super) fn run(arguments: &CheckArguments) -> CommandResult {
     let mut worst = Exit::Fine;
     for path in &arguments.scenes {
         let exit = check(path, arguments.lenient)?;
-        if exit as u8 > worst as u8 {
+        if exit.code() > worst.code() {
             worst = exit;
         }
     }

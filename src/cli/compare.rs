@@ -49,16 +49,15 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Comman
              that both measured with the same structure in the same scene",
         );
     }
-    Ok(exit(partial, fine, unrelated))
+    Ok(if partial { interrupt.exit() } else { exit(fine, unrelated) })
 }
 
-/// How a comparison ends: wrong results weigh more than a baseline that has nothing in common.
-fn exit(partial: bool, fine: bool, unrelated_baseline: bool) -> Exit {
-    match (partial, fine) {
-        (true, _) => Exit::Interrupted,
-        (false, false) => Exit::Negative,
-        (false, true) if unrelated_baseline => Exit::Trouble,
-        (false, true) => Exit::Fine,
+/// How a whole comparison ends: wrong results weigh more than a baseline that has nothing in common.
+fn exit(fine: bool, unrelated_baseline: bool) -> Exit {
+    match fine {
+        false => Exit::Negative,
+        true if unrelated_baseline => Exit::Trouble,
+        true => Exit::Fine,
     }
 }
 
@@ -158,10 +157,9 @@ mod tests {
 
     #[test]
     fn wrong_results_weigh_more_than_an_unrelated_baseline() {
-        assert_eq!(exit(false, false, true), Exit::Negative);
-        assert_eq!(exit(false, true, true), Exit::Trouble);
-        assert_eq!(exit(false, true, false), Exit::Fine);
-        assert_eq!(exit(true, false, true), Exit::Interrupted);
+        assert_eq!(exit(false, true), Exit::Negative);
+        assert_eq!(exit(true, true), Exit::Trouble);
+        assert_eq!(exit(true, false), Exit::Fine);
     }
 
     #[test]

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 
 use super::choice::{described, named};
 use super::source::is_stdin;
@@ -22,7 +23,7 @@ Writes report.html, report.md, report.csv, report.json and the pictures into the
 --sampling-study, sampling.csv too.\n\n\
 Exit codes: 0 all results are equal and nothing became slower; 1 a structure failed or its results\n\
 differ, or --baseline shows a regression; 2 trouble, or the baseline has nothing in common with\n\
-the comparison; 130 interrupted: what was done is written.\n\n\
+the comparison; 130 interrupted by Ctrl-C, 128 + n by another signal n: what was done is written.\n\n\
 Examples:\n  \
 srt compare scenes/hall.sce\n  \
 srt compare scenes/*.sce --accel bvh,cwbvh --budget 60 --out results/trees\n  \
@@ -32,7 +33,8 @@ srt compare scenes/soft-shadows.sce --sampling-study\n  \
 srt compare scenes/hall.sce --baseline results/old/report.json --fail-above 10%")]
 pub(crate) struct CompareArguments {
     /// The scene files (sce1.0)
-    #[arg(value_name = "SCENE", required_unless_present = "sweep", value_parser = named_file)]
+    #[arg(value_name = "SCENE", required_unless_present = "sweep",
+        value_parser = PathBufValueParser::new().try_map(named_file))]
     pub(crate) scenes: Vec<PathBuf>,
 
     /// The acceleration structures, separated by commas [default: all]
@@ -169,7 +171,6 @@ pub(crate) struct ReportArguments {
 }
 
 /// A report names the files of its scenes, and they are read twice.
-fn named_file(text: &str) -> Result<PathBuf, &'static str> {
-    let path = PathBuf::from(text);
+fn named_file(path: PathBuf) -> Result<PathBuf, &'static str> {
     if is_stdin(&path) { Err("a comparison takes scenes from files") } else { Ok(path) }
 }

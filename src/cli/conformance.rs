@@ -24,7 +24,7 @@ pub(super) fn run(arguments: &ConformanceArguments) -> CommandResult {
             Exit::Fine if arguments.quiet => {}
             _ => print(&format!("{}: {text}\n", structure.name))?,
         }
-        if exit as u8 > worst as u8 {
+        if exit.code() > worst.code() {
             worst = exit;
         }
     }

@@ -1,7 +1,6 @@
 //! `srt diff`: whether two pictures are equal, and where they differ. The layer `image_io` compares;
 //! this file reads, prints and exits.
 
-use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
@@ -9,6 +8,7 @@ use super::args::DiffArguments;
 use super::exit::{CommandResult, Exit, Failure};
 use super::output::{Output, prepare_picture, print};
 use super::terminal::print_message;
+use crate::assets::read_file;
 use crate::image_io::{Difference, Format, Picture, compare, decode, difference_picture, encode};
 
 /// Compares two pictures: [`Exit::Fine`] if they are equal, [`Exit::Negative`] if not.
@@ -43,7 +43,7 @@ fn read(path: &Path) -> Result<Picture, Failure> {
         Failure::new(format_args!("cannot read `{}`: {why}", path.display()))
     };
     // The file first: if it is missing, its extension matters less.
-    let bytes = fs::read(path).map_err(|error| match error.kind() {
+    let bytes = read_file(path).map_err(|error| match error.kind() {
         ErrorKind::NotFound => trouble(&"there is no such file"),
         _ => trouble(&error),
     })?;

@@ -13,20 +13,33 @@ Exit codes:
        baseline
   2    trouble: bad arguments, a scene or file that cannot be read, an output that cannot be
        written; `compare`: the baseline has nothing in common with the comparison
-  130  interrupted by Ctrl-C
+  130  interrupted by Ctrl-C; by another signal n: 128 + n, as 143 by SIGTERM
   141  the reader of the output closed it";
 
 /// An end without an error, or one whose error has been printed already.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Exit {
     /// All is well.
-    Fine = 0,
+    Fine,
     /// The answer is no: pictures differ, a scene is invalid.
-    Negative = 1,
+    Negative,
     /// Something went wrong and was explained.
-    Trouble = 2,
-    /// Ctrl-C: 128 + SIGINT, as shells count.
-    Interrupted = 130,
+    Trouble,
+    /// A signal of this number.
+    Interrupted(u8),
+}
+
+impl Exit {
+    /// The code of the process.
+    pub(crate) fn code(self) -> u8 {
+        match self {
+            Self::Fine => 0,
+            Self::Negative => 1,
+            Self::Trouble => 2,
+            // As shells count.
+            Self::Interrupted(signal) => 128 + signal,
+        }
+    }
 }
 
 /// An error that is still to be printed.
@@ -56,10 +69,10 @@ const BROKEN_PIPE: u8 = 141;
 /// Prints the error, if there is one, and makes the code of the process.
 pub(super) fn conclude(result: CommandResult) -> ExitCode {
     match result {
-        Ok(exit) => ExitCode::from(exit as u8),
+        Ok(exit) => ExitCode::from(exit.code()),
         Err(Failure::Message(message)) => {
             print_error(message);
-            ExitCode::from(Exit::Trouble as u8)
+            ExitCode::from(Exit::Trouble.code())
         }
         Err(Failure::BrokenPipe) => ExitCode::from(BROKEN_PIPE),
     }

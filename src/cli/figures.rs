@@ -30,8 +30,10 @@ pub(crate) struct Figures {
     view: &'static str,
     /// The scale of its colours, where numbers became colours.
     scale: Option<ScaleEnds>,
-    /// Whether Ctrl-C ended it early.
+    /// Whether a signal ended it early.
     pub(crate) partial: bool,
+    /// The pixels that were rendered: all, unless it was ended early.
+    pub(crate) rendered_pixels: u64,
     /// Threads that built and rendered.
     pub(crate) threads: usize,
     pub(crate) structure: BuiltStructure,
@@ -142,6 +144,7 @@ impl Figures {
             view: settings.view.name(),
             scale: None,
             partial: !rendering.complete,
+            rendered_pixels: rendering.pixels,
             threads: options.threads,
             structure: BuiltStructure::new(
                 options.structure.name,
@@ -338,6 +341,7 @@ pub(crate) mod tests {
             view: "color",
             scale: None,
             partial: false,
+            rendered_pixels: 480_000,
             threads: 2,
             structure: BuiltStructure::new("bvh", "medium", &build()),
             render_seconds: 1.25,

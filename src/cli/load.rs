@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::source::{self, SourceError};
 use super::terminal::{print_error, print_message};
 use super::{diagnose, terminal};
-use crate::assets::load_meshes;
+use crate::assets::{available_memory, load_meshes};
 use crate::description::SceneDescription;
 use crate::scene::Scene;
 use crate::scene_file::{Diagnostic, ParseOptions, parse, render_diagnostics, summarize};
@@ -67,7 +67,7 @@ fn compile(
     path: &Path,
     lenient: bool,
 ) -> Result<(SceneDescription, Scene, Vec<Diagnostic>), Vec<Diagnostic>> {
-    let parsed = parse(source, &ParseOptions { lenient })?;
+    let parsed = parse(source, &ParseOptions { lenient, memory: available_memory() })?;
     let (description, mut warnings) = (parsed.description, parsed.warnings);
     let meshes = match load_meshes(&description.meshes, folder_of(path)) {
         Ok(meshes) => meshes,

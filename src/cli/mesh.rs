@@ -1,14 +1,20 @@
 //! `srt mesh`: a generated mesh as a Wavefront OBJ file. Knows nothing of the shapes.
 
 use super::args::MeshArguments;
-use super::exit::{CommandResult, Exit};
+use super::exit::{CommandResult, Exit, Failure};
 use super::output::Output;
 use super::terminal::print_message;
-use crate::assets::generate::generate;
+use crate::assets::expect_memory;
+use crate::assets::generate::{Recipe, generate};
 
 /// Generates and writes the mesh.
 pub(super) fn run(arguments: &MeshArguments) -> CommandResult {
     let output = Output::prepare(&arguments.output)?;
+    let MeshArguments { kind, triangles, seed, .. } = *arguments;
+    let recipe = Recipe { kind, triangles, seed };
+    expect_memory(recipe.bytes()).map_err(|shortage| {
+        Failure::new(format_args!("the mesh `{recipe}` is too large: {shortage}"))
+    })?;
     let mesh = generate(arguments.kind, arguments.triangles, arguments.seed);
     output.write(|mut to| mesh.to_obj(&mut to))?;
     let made = mesh.triangles.len();

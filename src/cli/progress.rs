@@ -10,13 +10,13 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use super::interrupt::Interrupt;
 use super::summary::ray_rate;
+use super::terminal::print_message;
 use crate::render::Observer;
 
 /// How often the bar is drawn anew, so that time passes on it even between tiles.
 const TICK: Duration = Duration::from_millis(200);
 
 /// Watches a rendering: shows how much of it is done, and cancels it.
-#[derive(Debug)]
 pub(crate) struct Progress {
     bar: ProgressBar,
     rays: Arc<AtomicU64>,
@@ -36,6 +36,25 @@ impl Progress {
         }
         Self { bar, rays, interrupt }
     }
+
+    /// What to do when the process ends within the rendering: clears the bar, and says how far it came.
+    pub(crate) fn last_words(&self) -> impl Fn() + Send + 'static {
+        let bar = self.bar.clone();
+        move || {
+            // Clearing the bar also brings it to its end.
+            let share = share(bar.position(), bar.length().unwrap_or(0));
+            bar.finish_and_clear();
+            print_message(format_args!(
+                "interrupted: {share} rendered; nothing was written (see --keep-partial)"
+            ));
+        }
+    }
+}
+
+/// The share of a picture in pixels, in words: `37 %`. Rounded down, so that a part is never 100 %.
+pub(crate) fn share(done: u64, all: u64) -> String {
+    let percent = (u128::from(done) * 100).checked_div(u128::from(all));
+    format!("{} %", percent.unwrap_or(0))
 }
 
 impl Observer for Progress {
@@ -80,6 +99,13 @@ mod tests {
         assert_eq!(progress.bar.position(), 100);
         assert_eq!(progress.rays.load(Ordering::Relaxed), 1_500);
         assert!(!progress.cancelled());
+    }
+
+    #[test]
+    fn a_part_is_less_than_the_whole() {
+        assert_eq!(share(0, 0), "0 %");
+        assert_eq!(share(999, 1_000), "99 %");
+        assert_eq!(share(1_000, 1_000), "100 %");
     }
 
     #[test]

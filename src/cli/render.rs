@@ -17,7 +17,7 @@ use crate::image_io::encode;
 use crate::render::{Rendering, Settings, render};
 use crate::scene::{BuildError, BuildReport, Scene};
 
-/// Renders; a rendering that Ctrl-C ended is written only with `--keep-partial`.
+/// Renders; a rendering that a signal ended is written only with `--keep-partial`.
 pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> CommandResult {
     let options = RenderOptions::new(arguments)?;
     let pool = pool(options.threads)?;
@@ -37,7 +37,7 @@ pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> CommandR
     let traced = pool.install(|| trace(&scene, &settings, &options, interrupt));
     let refused = |error| Failure::new(format_args!("`{}`: {error}", options.structure.name));
     let (build, rendering) = traced.map_err(refused)?;
-    conclude(&settings, options, build, rendering)
+    conclude(&settings, options, build, rendering, interrupt)
 }
 
 fn pool(threads: usize) -> Result<ThreadPool, Failure> {
@@ -56,7 +56,11 @@ fn trace(
 ) -> Result<(BuildReport, Rendering), BuildError> {
     let world = options.structure.try_build(scene, &options.build)?;
     let progress = Progress::start(settings.region().pixels(), options.quiet, interrupt.clone());
-    let rendering = interrupt.cancellable(|| render(scene, &*world, settings, &progress));
+    let render = || render(scene, &*world, settings, &progress);
+    // What will not be written is not worth waiting for: the process ends at once.
+    let rendering = interrupt.with_last_words(progress.last_words(), || {
+        if options.keep_partial { interrupt.cancellable(render) } else { render() }
+    });
     Ok((world.build_report(), rendering))
 }
 
@@ -66,11 +70,8 @@ fn conclude(
     options: RenderOptions,
     build: BuildReport,
     rendering: Rendering,
+    interrupt: &Interrupt,
 ) -> CommandResult {
-    if !rendering.complete && !options.keep_partial {
-        print_message("interrupted; nothing was written (see --keep-partial)");
-        return Ok(Exit::Interrupted);
-    }
     let figures = Figures::new(&options, settings, &build, &rendering);
     let (picture, scale) = image::picture(rendering.image, settings.view, options.format);
     let figures = figures.with_scale(scale);
@@ -85,7 +86,7 @@ fn conclude(
         }
         print_message(summary::line(&figures));
     }
-    Ok(if figures.partial { Exit::Interrupted } else { Exit::Fine })
+    Ok(if figures.partial { interrupt.exit() } else { Exit::Fine })
 }
 
 fn print_stats(figures: &Figures, stats: Stats) -> Result<(), Failure> {

@@ -109,7 +109,7 @@ pub(crate) struct RenderArguments {
     #[arg(long, help_heading = "Output")]
     pub(crate) lenient: bool,
 
-    /// After Ctrl-C, write what has been rendered so far
+    /// After Ctrl-C or another signal to end, write what has been rendered so far
     ///
     /// Missing pixels are black, or grey in coloured depths and heatmaps.
     #[arg(long, help_heading = "Output")]
@@ -121,8 +121,8 @@ pub(crate) struct RenderArguments {
     /// Counting takes some time; the picture stays the same.
     ///
     /// The JSON is one object of `version` 1 with scene, width, height, view, scale (of depths and
-    /// heatmaps: low, high, spacing), partial, threads, structure, render_seconds, thread_seconds,
-    /// rays, rays_per_second and classes. Means of nothing are null.
+    /// heatmaps: low, high, spacing), partial, rendered_pixels, threads, structure, render_seconds,
+    /// thread_seconds, rays, rays_per_second and classes. Means of nothing are null.
     ///
     /// structure: name, build, build_seconds, build_stages (stage, seconds), objects and meshes (bytes,
     /// nodes, leaves, depth, leaf_sizes), triangles, triangle_bytes, bytes_per_triangle.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
 use super::output::{Output, claim_folder, make_folder};
+use crate::assets::read_file;
 use crate::compare::{heatmap_name, picture_name};
 use crate::record::{Comparison, SceneRecord};
 use crate::report::{Report, read_json};
@@ -128,6 +129,7 @@ pub(super) fn read_record(path: &Path) -> Result<Comparison, Failure> {
     let trouble = |why: &dyn std::fmt::Display| {
         Failure::new(format_args!("cannot read the record `{}`: {why}", path.display()))
     };
-    let text = fs::read_to_string(path).map_err(|error| trouble(&error))?;
+    let bytes = read_file(path).map_err(|error| trouble(&error))?;
+    let text = String::from_utf8(bytes).map_err(|_| trouble(&"it is not text"))?;
     read_json(&text).map_err(|error| trouble(&error))
 }

@@ -1,8 +1,9 @@
 //! The text of a scene.
 
-use std::fs;
-use std::io::{self, Read};
+use std::io;
 use std::path::{Path, PathBuf};
+
+use crate::assets::{read_file, read_stream};
 
 /// Why a scene's text cannot be read.
 #[derive(Debug, thiserror::Error)]
@@ -35,12 +36,7 @@ pub(crate) fn quoted(path: &Path) -> String {
 /// Reads a scene's text from its file, or from standard input if the path is `-`. Remarks in it may
 /// have any encoding: what is no UTF-8 is replaced.
 pub(crate) fn read(path: &Path) -> Result<String, SourceError> {
-    let read = if is_stdin(path) {
-        let mut bytes = Vec::new();
-        io::stdin().read_to_end(&mut bytes).map(|_| bytes)
-    } else {
-        fs::read(path)
-    };
+    let read = if is_stdin(path) { read_stream(io::stdin().lock()) } else { read_file(path) };
     match read {
         Ok(bytes) => Ok(String::from_utf8_lossy(&bytes).into_owned()),
         Err(source) => Err(SourceError::Io { path: path.to_owned(), source }),

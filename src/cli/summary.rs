@@ -4,6 +4,7 @@
 use std::fmt::Write;
 
 use super::figures::{Figures, Index, RaysOfClass, quotient};
+use super::progress::share;
 use crate::analysis::statistics::million_per_second;
 use crate::render::Stage;
 use crate::report::numbers::{self, NOTHING};
@@ -12,7 +13,13 @@ use crate::report::{Cell, Table};
 
 /// Size, structure, build time, render time, rays by class, million rays a second.
 pub(crate) fn line(figures: &Figures) -> String {
-    let partial = if figures.partial { " (stopped early)" } else { "" };
+    let pixels = u64::from(figures.width) * u64::from(figures.height);
+    let rendered = || share(figures.rendered_pixels, pixels);
+    let partial = if figures.partial {
+        format!(" (interrupted: {} rendered)", rendered())
+    } else {
+        String::new()
+    };
     let share = quotient(figures.thread_seconds.tracing, figures.thread_seconds.total);
     let tracing = share.map_or(String::new(), |s| format!(" ({:.0} % of it tracing)", 100.0 * s));
     plain(&format!(
@@ -206,12 +213,10 @@ mod tests {
     #[test]
     fn the_line_of_a_stopped_rendering_shows_that() {
         let mut figures = example();
-        (figures.partial, figures.rays) = (true, 0);
+        (figures.partial, figures.rays, figures.rendered_pixels) = (true, 0, 177_601);
         figures.classes.clear();
-        assert!(
-            line(&figures)
-                .contains("rendered in 1.25 s (61 % of it tracing) (stopped early), 0 rays, ")
-        );
+        let part = "rendered in 1.25 s (61 % of it tracing) (interrupted: 37 % rendered), 0 rays, ";
+        assert!(line(&figures).contains(part));
     }
 
     #[test]

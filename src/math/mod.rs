@@ -9,6 +9,7 @@ mod hash;
 mod hit;
 mod lanes;
 mod ray;
+mod size_range;
 pub mod slab;
 mod transform;
 
@@ -19,7 +20,8 @@ pub use hash::Random;
 pub(crate) use hash::{hash_u64, unit_pair};
 pub use hit::{CLOSE, Hit, NONE};
 pub use lanes::{Lanes, Lanes3, Mask, cross, dot, ones, sub, within};
-pub use ray::Ray;
+pub use ray::{Ray, RayError};
+pub use size_range::SizeRange;
 pub use slab::Padding;
 pub(crate) use transform::outward_box;
 pub use transform::{ConditionError, RayToObject, Transform};

@@ -5,7 +5,18 @@ use glam::Vec3;
 /// The points `origin + t·dir` with `t_min ≤ t ≤ t_max`.
 ///
 /// `dir` has any length and is never renormalised, so that `t` keeps its meaning when the ray is
-/// taken to another space. All components are finite; a ray with a NaN hits nothing.
+/// taken to another space.
+///
+/// # Range
+/// All components are finite, `t_min` is not negative, and `t_max` is at most [`f32::MAX`]:
+/// [`check`](Self::check) tells. For such rays every structure returns the same hits. A ray with a NaN
+/// hits nothing. What one with an infinite component hits is not defined, and need not be the same in
+/// all structures; builds with debug assertions panic.
+///
+/// Where products of lengths leave the range of `f32`, a ray misses what it should hit, in every
+/// structure. That does not happen to triangles within
+/// [`SizeRange::TRIANGLES`](super::SizeRange::TRIANGLES) if the origin is within it, too, and the
+/// direction has a length from 10⁻⁹ to 10¹².
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Ray {
@@ -35,6 +46,30 @@ impl Ray {
         Self { origin, t_min, dir, t_max: t_max.min(f32::MAX) }
     }
 
+    /// Whether it is within the range of rays.
+    ///
+    /// # Errors
+    /// With what is first out of it.
+    pub fn check(&self) -> Result<(), RayError> {
+        for (what, vector) in [("origin", self.origin), ("direction", self.dir)] {
+            if !vector.is_finite() {
+                return Err(RayError::NotFinite { what, vector });
+            }
+        }
+        let Self { t_min, t_max, .. } = *self;
+        // A NaN is in neither range.
+        if !(0.0..=f32::MAX).contains(&t_min) || !(f32::MIN..=f32::MAX).contains(&t_max) {
+            return Err(RayError::Interval { t_min, t_max });
+        }
+        Ok(())
+    }
+
+    /// Whether it has an infinite component: what it hits is not defined.
+    pub(crate) fn is_infinite(&self) -> bool {
+        let infinite = |vector: Vec3| vector.to_array().into_iter().any(f32::is_infinite);
+        infinite(self.origin) || infinite(self.dir)
+    }
+
     /// Origin, `t_min`, direction, `t_max`.
     #[inline]
     #[must_use]
@@ -47,5 +82,56 @@ impl Ray {
     #[must_use]
     pub fn at(&self, t: f32) -> Vec3 {
         self.origin + t * self.dir
+    }
+}
+
+/// Why a ray is out of the range in which hits are defined.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum RayError {
+    /// A component is infinite or no number.
+    #[error("the {what} of the ray is not finite: {vector}")]
+    NotFinite {
+        /// `origin` or `direction`.
+        what: &'static str,
+        /// What it is.
+        vector: Vec3,
+    },
+    /// The interval begins below 0, or an end of it is infinite or no number.
+    #[error("the ray's interval is from {t_min} to {t_max}: it must be within 0 and 3.4e38")]
+    Interval {
+        /// Its begin.
+        t_min: f32,
+        /// Its end.
+        t_max: f32,
+    },
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rays_out_of_their_range_are_named() {
+        let ray = Ray::new(Vec3::ZERO, Vec3::X);
+        let long = Ray { dir: Vec3::splat(f32::MAX), ..ray };
+        let behind = Ray { t_max: -1.0, ..ray };
+        for fine in [ray, long, behind, Ray::with_interval(Vec3::ONE, Vec3::Y, 1.0, f32::INFINITY)]
+        {
+            assert_eq!(fine.check(), Ok(()));
+            assert!(!fine.is_infinite());
+        }
+        let infinite = Ray { dir: Vec3::new(0.0, f32::NEG_INFINITY, 0.0), ..ray };
+        assert!(infinite.is_infinite());
+        assert_eq!(
+            infinite.check().unwrap_err().to_string(),
+            "the direction of the ray is not finite: [0, -inf, 0]"
+        );
+        let nowhere = Ray { origin: Vec3::NAN, ..ray };
+        assert!(matches!(nowhere.check(), Err(RayError::NotFinite { what: "origin", .. })));
+        for (t_min, t_max) in [(-1.0, 1.0), (f32::NAN, 1.0), (0.0, f32::INFINITY), (0.0, f32::NAN)]
+        {
+            let cut = Ray { t_min, t_max, ..ray };
+            assert!(matches!(cut.check(), Err(RayError::Interval { .. })), "{t_min} {t_max}");
+        }
     }
 }

@@ -8,10 +8,10 @@ use super::RayClass;
 pub trait Observer: Sync {
     /// A tile of `pixels` pixels was rendered with `rays` rays.
     fn tile_done(&self, pixels: u64, rays: u64);
-    /// Whether to stop. Checked before each tile; tiles that were begun are finished.
+    /// Whether to stop. Asked often, between slices of rays; a tile that was begun is left out then.
     fn cancelled(&self) -> bool;
     /// These rays are about to be traced together, as a replay would trace them again. Does nothing
-    /// unless it is overridden.
+    /// unless it is overridden. After the rendering was cancelled none are sent.
     fn rays_sent(&self, _class: RayClass, _rays: &[Ray]) {}
 }
 

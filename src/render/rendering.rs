@@ -21,6 +21,8 @@ pub struct Rendering {
     pub image: Image,
     /// Whether every tile was rendered. If not, the missing ones are black, or NaN in scalars.
     pub complete: bool,
+    /// The pixels of the tiles that were rendered.
+    pub pixels: u64,
     /// What the rays did.
     pub stats: RenderStats,
 }
@@ -48,12 +50,13 @@ pub fn render(
     let complete = tiles.len() == areas.len();
     let mut image = ImageBuilder::new(region, settings.view);
     let mut stats = RenderStats::default();
+    let pixels = tiles.iter().map(|tile| tile.area.pixels()).sum();
     for tile in tiles {
         image.put(tile.area, &tile.pixels);
         stats.merge(&tile.stats);
     }
     stats.time = start.elapsed();
-    Rendering { image: image.finish(), complete, stats }
+    Rendering { image: image.finish(), complete, pixels, stats }
 }
 
 /// Renders tiles on all threads. Each thread takes the next tile from one counter, until there are
@@ -69,10 +72,7 @@ fn render_tiles(
         let mut renderer = TileRenderer::new(frame, tracer, observer);
         let mut tiles = Vec::new();
         while let Some(&area) = areas.get(next.fetch_add(1, Ordering::Relaxed)) {
-            if observer.cancelled() {
-                break;
-            }
-            let tile = renderer.render(area);
+            let Some(tile) = renderer.render(area) else { break };
             observer.tile_done(area.pixels(), tile.stats.total_rays());
             tiles.push(tile);
         }

@@ -41,19 +41,23 @@ impl<'a> TileRenderer<'a> {
         Self { frame, tracer, batch: Batch::new(frame.scene.lights.len()) }
     }
 
-    pub(super) fn render(&mut self, area: Crop) -> Tile {
+    /// `None` if the rendering is cancelled.
+    pub(super) fn render(&mut self, area: Crop) -> Option<Tile> {
         let order = pixels_of(area);
         let colors = match self.frame.settings.view {
             View::Color => self.colors(&order),
             View::Heatmap => self.test_counts(&order),
             view => render_hits(self.frame, &mut self.tracer, &order, view),
         };
+        if self.tracer.was_cancelled() {
+            return None;
+        }
         let mut pixels = vec![Color::ZERO; colors.len()];
         for (pixel, color) in order.iter().zip(colors) {
             pixels[((pixel.y - area.y0) * area.width() + (pixel.x - area.x0)) as usize] = color;
         }
         self.tracer.lap(Stage::Rest);
-        Tile { area, pixels, stats: self.tracer.take_stats() }
+        Some(Tile { area, pixels, stats: self.tracer.take_stats() })
     }
 
     fn colors(&mut self, pixels: &[Pixel]) -> Vec<Color> {
@@ -78,7 +82,7 @@ impl<'a> TileRenderer<'a> {
     /// A pixel's colour is the mean of its samples, added in their order; how pixels are divided
     /// into batches never matters. `value` turns the statistics after a batch and a pixel's colour
     /// into what the pixel shows. It sees each pixel's own statistics only if batches are single
-    /// pixels.
+    /// pixels. If the rendering is cancelled, there are fewer values than pixels.
     fn render_pixels(
         &mut self,
         pixels: &[Pixel],
@@ -89,6 +93,9 @@ impl<'a> TileRenderer<'a> {
         let pixels_at_once = (at_once / per_pixel).max(1);
         let mut values = Vec::with_capacity(pixels.len());
         for pixels in pixels.chunks(pixels_at_once) {
+            if self.tracer.is_cancelled() {
+                break;
+            }
             let colors = self.batch.run(self.frame, &mut self.tracer, pixels);
             for samples in colors.chunks(per_pixel) {
                 let mean = samples.iter().sum::<Color>() / per_pixel as f32;

@@ -84,9 +84,9 @@ fn row(
     let [speedup, speedup_low, speedup_high] = speedup;
     let [picture, picture_low, picture_high] = parts(own.picture_ns);
     [
-        scene.name.clone(),
+        text(&scene.name),
         scene.triangles.to_string(),
-        record.name.clone(),
+        text(&record.name),
         status(&record.status).to_owned(),
         class.map_or_else(String::new, |class| class.class.name().to_owned()),
         whole(class.map(|class| class.rays)),
@@ -106,7 +106,7 @@ fn row(
         rate,
         rate_low,
         rate_high,
-        figures.base.clone().unwrap_or_default(),
+        text(figures.base.as_deref().unwrap_or_default()),
         speedup,
         speedup_low,
         speedup_high,
@@ -156,6 +156,13 @@ fn whole(value: Option<u64>) -> String {
     value.map_or_else(String::new, |n| n.to_string())
 }
 
+/// A name from the record, which may come from anybody. One that begins as a spreadsheet's formula does
+/// gets a single quote before it, as spreadsheets mark text.
+fn text(name: &str) -> String {
+    let is_formula = name.starts_with(['=', '+', '-', '@', '\t', '\r', '\n']);
+    if is_formula { format!("'{name}") } else { name.to_owned() }
+}
+
 /// Fields in a line; those with a comma, a quote or a line end are quoted.
 fn line<const N: usize>(fields: [String; N]) -> String {
     let quoted = |field: String| {
@@ -176,5 +183,14 @@ mod tests {
     fn fields_that_need_quotes_get_them() {
         let fields = ["a", "b,c", "d \"e\"", ""].map(str::to_owned);
         assert_eq!(line(fields), "a,\"b,c\",\"d \"\"e\"\"\",\r\n");
+    }
+
+    #[test]
+    fn names_are_no_formulas() {
+        for formula in ["=1+1", "+1", "-1", "@SUM(1)", "\t=1", "\r=1", "\n=1"] {
+            assert_eq!(text(formula), format!("'{formula}"));
+        }
+        assert_eq!(text("hall-1 = 2"), "hall-1 = 2");
+        assert_eq!(text(""), "");
     }
 }

@@ -57,7 +57,7 @@ fn add_baseline(comparison: &Comparison, text: &mut String) {
         let _ = write!(text, "\n**Warning: {}**\n", escaped(warning));
     }
     if table.rows.is_empty() {
-        let _ = write!(text, "\n### {}\n\n{}\n", table.title, escaped(&table.note));
+        let _ = write!(text, "\n### {}\n\n{}\n", escaped(&table.title), escaped(&table.note));
     }
     add_table(&table, text);
 }
@@ -66,16 +66,16 @@ fn add_scene(scene: &SceneRecord, figures: &SceneFigures, threads: u32, text: &m
     let name = escaped(&scene.name);
     let _ = write!(
         text,
-        "\n## {name}\n\n{}, {}, {}; `{}`, SHA-256 `{}`\n",
+        "\n## {name}\n\n{}, {}, {}; {}, SHA-256 {}\n",
         numbers::things(scene.objects, "object"),
         numbers::things(scene.triangles, "triangle"),
         numbers::things(scene.lights, "light"),
-        scene.path,
-        scene.hash
+        code(&scene.path),
+        code(&scene.hash)
     );
     if let Some(picture) = &scene.picture {
-        let _ = write!(text, "\n![{name}]({})\n", picture.file);
-        let _ = write!(text, "\nPixels: SHA-256 `{}`\n", picture.hash);
+        let _ = write!(text, "\n![{name}]({})\n", address(&picture.file));
+        let _ = write!(text, "\nPixels: SHA-256 {}\n", code(&picture.hash));
     }
     if let Some(proof) = &scene.proof {
         add_table(&tables::proof_table(proof), text);
@@ -94,7 +94,9 @@ fn add_scene(scene: &SceneRecord, figures: &SceneFigures, threads: u32, text: &m
 }
 
 fn add_run(comparison: &Comparison, text: &mut String) {
-    let _ = write!(text, "\n## How it was measured\n\n```sh\n{}\n```\n\n", comparison.run.command);
+    let command = &comparison.run.command;
+    let fence = "`".repeat(longest_backticks(command).max(2) + 1);
+    let _ = write!(text, "\n## How it was measured\n\n{fence}sh\n{command}\n{fence}\n\n");
     text.push_str("| | |\n|---|---|\n");
     for (name, value) in tables::facts(comparison) {
         let _ = writeln!(text, "| {name} | {} |", escaped(&value));
@@ -106,7 +108,7 @@ fn add_table(table: &Table, text: &mut String) {
     if table.rows.is_empty() {
         return;
     }
-    let _ = write!(text, "\n### {}\n\n", table.title);
+    let _ = write!(text, "\n### {}\n\n", escaped(&table.title));
     if !table.note.is_empty() {
         let _ = write!(text, "{}\n\n", escaped(&table.note));
     }
@@ -136,12 +138,12 @@ fn cell(cell: &Cell) -> String {
     }
 }
 
-/// Text without Markdown markup.
+/// Text without Markdown or HTML markup: a record may come from anybody.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
-            '\\' | '`' | '*' | '_' | '[' | ']' | '|' | '#' => escaped.extend(['\\', c]),
+            '\\' | '`' | '*' | '_' | '[' | ']' | '|' | '#' | '~' => escaped.extend(['\\', c]),
             '<' => escaped.push_str("&lt;"),
             '>' => escaped.push_str("&gt;"),
             '&' => escaped.push_str("&amp;"),
@@ -150,4 +152,58 @@ fn escaped(text: &str) -> String {
         }
     }
     escaped
+}
+
+/// Text between backticks: more of them than it has in a row, on one line. Nothing in it is markup.
+fn code(text: &str) -> String {
+    let fence = "`".repeat(longest_backticks(text) + 1);
+    let text = text.replace(char::is_control, " ");
+    // A backtick at an end would belong to the fence, and nothing between fences would be text.
+    let space =
+        if text.is_empty() || text.starts_with('`') || text.ends_with('`') { " " } else { "" };
+    format!("{fence}{space}{text}{space}{fence}")
+}
+
+/// The most backticks that follow each other.
+fn longest_backticks(text: &str) -> usize {
+    text.split(|c| c != '`').map(str::len).max().unwrap_or(0)
+}
+
+/// A file's name as the address of a link: all that could end it, or name a protocol, is percent-encoded.
+fn address(file: &str) -> String {
+    let mut address = String::with_capacity(file.len());
+    for byte in file.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'~' | b'/' => {
+                address.push(char::from(byte));
+            }
+            // Writing to a string cannot fail.
+            _ => drop(write!(address, "%{byte:02X}")),
+        }
+    }
+    address
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markup_becomes_text() {
+        assert_eq!(escaped("<b>&|`~[a](b)\n# c"), "&lt;b&gt;&amp;\\|\\`\\~\\[a\\](b) \\# c");
+    }
+
+    #[test]
+    fn code_does_not_end_before_its_end() {
+        assert_eq!(code("a.sce"), "`a.sce`");
+        assert_eq!(code("a`<b>``\n\nc"), "```a`<b>``  c```");
+        assert_eq!(code("`"), "`` ` ``");
+        assert_eq!(code(""), "`  `");
+    }
+
+    #[test]
+    fn an_address_names_a_file_alone() {
+        assert_eq!(address("heat/hall-2.png"), "heat/hall-2.png");
+        assert_eq!(address("javascript:a) <b>é"), "javascript%3Aa%29%20%3Cb%3E%C3%A9");
+    }
 }

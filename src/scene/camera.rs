@@ -3,9 +3,9 @@
 use glam::{DVec3, Vec3};
 
 use crate::description;
-use crate::math::Ray;
+use crate::math::{Ray, SizeRange};
 
-use super::{SceneError, range};
+use super::SceneError;
 
 /// A pinhole camera with an orthonormal frame (e, u, v, w).
 ///
@@ -32,9 +32,10 @@ impl Camera {
     /// If the direction is zero or parallel to the up vector, or if the eye or the image rectangle
     /// leaves the range of single precision.
     pub fn new(camera: &description::Camera) -> Result<Self, SceneError> {
+        const WORLD: SizeRange = SizeRange::WORLD;
         let framed = Self::framed(camera).ok_or(SceneError::Camera)?;
-        let near_enough = range::holds_at(camera.eye) && range::holds_at(framed.corner);
-        if near_enough && camera.distance >= range::SMALLEST {
+        let near_enough = WORLD.holds_at(camera.eye) && WORLD.holds_at(framed.corner);
+        if near_enough && camera.distance >= WORLD.smallest {
             Ok(framed)
         } else {
             Err(SceneError::CameraOutOfRange)

@@ -7,10 +7,13 @@ use glam::{DAffine3, DVec3, Vec3};
 
 use crate::assets::MeshData;
 use crate::description::{self, SceneDescription, Shape};
-use crate::math::{Aabb, NONE, Transform};
+use crate::math::{Aabb, NONE, SizeRange, Transform};
 use crate::shapes::Triangle;
 
 use super::{Camera, Light, Object, Scene, SceneError, Transforms, range};
+
+/// The range of all that is in the world.
+const WORLD: SizeRange = SizeRange::WORLD;
 
 impl Scene {
     /// Compiles a description with its meshes, which are in the order of
@@ -19,7 +22,7 @@ impl Scene {
     /// # Errors
     /// All objects, lights and cameras of which the transform or frame is degenerate, or that leave
     /// the range in which the formulas hold in single precision: coordinates up to 10⁹, sizes from
-    /// 10⁻⁹ (see `scene/range.rs` for why). Of objects from one place in the text, the
+    /// 10⁻⁹ ([`SizeRange`] says why). Of objects from one place in the text, the
     /// first.
     ///
     /// # Panics
@@ -108,7 +111,7 @@ fn reach(description: &SceneDescription, objects: &[Object]) -> f64 {
     let of_objects = objects.iter().map(|object| f64::from(object.bounds().largest_coordinate()));
     let of_lights = description.lights.iter().flat_map(ends).map(|p| p.abs().max_element());
     let of_eye = description.camera.eye.abs().max_element();
-    of_objects.chain(of_lights).fold(of_eye, f64::max).min(range::LARGEST)
+    of_objects.chain(of_lights).fold(of_eye, f64::max).min(WORLD.largest)
 }
 
 /// The points between which a light is.
@@ -122,7 +125,7 @@ fn ends(light: &description::Light) -> [DVec3; 4] {
 }
 
 fn lights_out_of_range(lights: &[description::Light]) -> impl Iterator<Item = SceneError> {
-    let beyond = |&light: &usize| !ends(&lights[light]).into_iter().all(range::holds_at);
+    let beyond = |&light: &usize| !ends(&lights[light]).into_iter().all(|end| WORLD.holds_at(end));
     (0..lights.len()).filter(beyond).map(|light| SceneError::LightOutOfRange { light })
 }
 
@@ -160,15 +163,15 @@ fn compile_object(
         .map_err(|source| SceneError::Transform { object: id, source })?;
     let own = own_bounds(&shape, mesh_bounds);
     let bounds = transform.as_ref().map_or(own, |t| t.bounds_to_world(&own));
-    let large_enough = match &shape {
-        Shape::Single(single) if transform.is_none() => single.size() >= range::SMALLEST,
-        _ => true,
+    let holds_as_it_is = match &shape {
+        Shape::Single(single) if transform.is_none() => single.size() >= WORLD.smallest,
+        Shape::Single(_) => true,
+        Shape::Mesh { .. } => SizeRange::TRIANGLES.holds_for(&own),
     };
-    if !large_enough || !range::holds_for(&bounds) {
+    if !holds_as_it_is || !WORLD.holds_for(&bounds) {
         return Err(SceneError::OutOfRange { object: id });
     }
-    let holds_anywhere =
-        transform.as_ref().is_none_or(|t| range::holds_in(t, &own, range::LARGEST));
+    let holds_anywhere = transform.as_ref().is_none_or(|t| range::holds_in(t, &own, WORLD.largest));
     let transform = transform.map_or(NONE, |transform| transforms.add(&transform));
     let corners = [bounds.min, bounds.max].map(Vec3::from);
     Ok((Object { shape, transform, corners, material: object.material }, holds_anywhere))

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::assets::MemoryShortage;
 use crate::math::ConditionError;
 
 /// A part of a description that cannot be traced.
@@ -51,6 +52,9 @@ pub enum BuildError {
         /// The name of its shape.
         shape: &'static str,
     },
+    /// It does not fit into memory.
+    #[error("the structure is too large: {0}")]
+    NoMemory(#[from] MemoryShortage),
     /// The library behind it failed.
     #[error("{text}")]
     Library {

@@ -1,48 +1,13 @@
-//! The range of lengths in which the formulas hold in single precision.
-//!
-//! The formulas multiply lengths before they divide. With L the largest coordinate of anything in
-//! the world, differences and directions of shadow rays have coordinates of up to 2L:
-//!
-//! * a ball takes the root of |d|²·r² (see [`Ball::crossing`](crate::shapes::Ball::crossing)), up
-//!   to 12L²·L²: finite up to L = 2.3·10⁹;
-//! * a triangle's determinant and weights are sums of six products of three differences, up to
-//!   48L³: finite up to L = 1.9·10¹².
-//!
-//! [`LARGEST`] is below both. Downwards products must not leave the normal numbers, or they lose
-//! digits: [`SMALLEST`] leaves triangles a thousandth as large as their object with
-//! (10⁻¹²)²·10⁻⁹ = 10⁻³³, and balls with the products of their formula at 10⁻³⁷ or more, where the
-//! smallest normal number is 1.2·10⁻³⁸. Triangles much smaller than that are hit less precisely,
-//! but every structure still finds the same hits.
-//!
-//! Under a transform the formulas are computed in the object's own space, and [`holds_in`] checks the
-//! numbers there.
+//! The range of lengths in which the formulas hold in single precision, under a transform: they are
+//! computed in the object's own space, and the numbers there count. Without one, see
+//! [`SizeRange`](crate::math::SizeRange).
 
 use glam::DVec3;
 
 use crate::math::{Aabb, Transform};
 
-/// The largest coordinate in the world: of objects' boxes, of the eye, of lights, of view rays.
-pub(super) const LARGEST: f64 = 1e9;
-
-/// The smallest length: of the largest side of an object's box, of view rays.
-pub(super) const SMALLEST: f64 = 1e-9;
-
 /// How much smaller than their mesh most triangles are, at the least.
 const DETAIL: f64 = 1e-3;
-
-/// Whether a point of the world is within the range.
-pub(super) fn holds_at(point: DVec3) -> bool {
-    // A NaN is not.
-    point.abs().max_element() <= LARGEST && !point.is_nan()
-}
-
-/// Whether a box in the world is neither too large, too far away, nor too small. One of its sides
-/// may be 0: that of a flat mesh.
-pub(super) fn holds_for(bounds: &Aabb) -> bool {
-    let reach = f64::from(bounds.largest_coordinate());
-    let side = f64::from(bounds.size().max_element());
-    !bounds.is_empty() && reach <= LARGEST && side >= SMALLEST
-}
 
 /// Whether the formulas hold in the own space of an object, of which `own` is its box there, for
 /// rays that start up to `reach` from the world's origin.
@@ -64,38 +29,12 @@ pub(super) fn holds_in(transform: &Transform, own: &Aabb, reach: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::Ray;
+    use crate::math::{Ray, SizeRange};
     use crate::shapes::{Ball, Triangle};
     use glam::{DAffine3, Vec3, Vec3A};
 
     fn cube(side: f32) -> Aabb {
         Aabb { min: Vec3A::ZERO, max: Vec3A::splat(side) }
-    }
-
-    #[test]
-    fn boxes_and_points_within_the_range_hold() {
-        assert!(holds_for(&cube(1e9)) && !holds_for(&cube(1.01e9)));
-        assert!(holds_for(&cube(1.01e-9)) && !holds_for(&cube(0.99e-9)));
-        assert!(!holds_for(&Aabb::EMPTY));
-        assert!(!holds_for(&cube(f32::INFINITY)));
-        assert!(holds_at(DVec3::splat(-1e9)) && !holds_at(DVec3::new(0.0, 0.0, 2e9)));
-        assert!(!holds_at(DVec3::new(0.0, f64::NAN, 0.0)));
-    }
-
-    #[test]
-    fn the_formulas_hold_at_the_ends_of_the_range() {
-        for size in [1e-9f32, 1.0, 1e9] {
-            let ball = Ball { center: Vec3::ZERO, radius: size };
-            let triangle =
-                Triangle::new([Vec3::new(-1.0, -1.0, 0.0), Vec3::X, Vec3::Y].map(|p| size * p));
-            // As a shadow ray: what lies between its ends is at 0 < t < 1.
-            let ray = Ray::new(Vec3::splat(size), Vec3::splat(-2.0 * size));
-            let (enter, leave) = ball.crossing(&ray).unwrap();
-            let exact = 0.5 - 0.5 / 3f32.sqrt();
-            assert!((enter - exact).abs() < 1e-6 && (enter + leave - 1.0).abs() < 1e-6, "{size:e}");
-            let (t, u, v) = triangle.intersect(&ray).unwrap();
-            assert!((t - 0.5).abs() < 1e-6 && (u + v - 2.0 / 3.0).abs() < 1e-6, "{size:e}: {t}");
-        }
     }
 
     #[test]
@@ -108,5 +47,35 @@ mod tests {
         assert!(holds(1e-9, 1e9, 1.0), "a mesh in nanometres");
         assert!(!holds(1e-30, 1e30, 1.0) && !holds(1e30, 1e-30, 1.0));
         assert!(!holds(1e-20, 1.0, 1.0));
+    }
+
+    fn triangle(size: f32) -> Triangle {
+        Triangle::new([Vec3::new(-1.0, -1.0, 0.0), Vec3::X, Vec3::Y].map(|p| size * p))
+    }
+
+    #[test]
+    fn the_formulas_hold_at_the_ends_of_the_range() {
+        for size in [1e-9f32, 1.0, 1e9] {
+            let ball = Ball { center: Vec3::ZERO, radius: size };
+            // As a shadow ray: what lies between its ends is at 0 < t < 1.
+            let ray = Ray::new(Vec3::splat(size), Vec3::splat(-2.0 * size));
+            let (enter, leave) = ball.crossing(&ray).unwrap();
+            let exact = 0.5 - 0.5 / 3f32.sqrt();
+            assert!((enter - exact).abs() < 1e-6 && (enter + leave - 1.0).abs() < 1e-6, "{size:e}");
+            let (t, u, v) = triangle(size).intersect(&ray).unwrap();
+            assert!((t - 0.5).abs() < 1e-6 && (u + v - 2.0 / 3.0).abs() < 1e-6, "{size:e}: {t}");
+        }
+    }
+
+    #[test]
+    fn triangles_are_hit_at_the_ends_of_their_range() {
+        let SizeRange { largest, smallest } = SizeRange::TRIANGLES;
+        let (largest, smallest) = (largest as f32, smallest as f32);
+        for (size, distance) in [(1e-3 * smallest, smallest), (1.0, 1.0), (largest, largest)] {
+            let ray = Ray::new(Vec3::splat(distance), Vec3::splat(-1.0));
+            let (t, u, v) = triangle(size).intersect(&ray).unwrap();
+            assert!((t / distance - 1.0).abs() < 1e-5, "{size:e}: {t}");
+            assert!((u + v - 2.0 / 3.0).abs() < 1e-3, "{size:e}: {u} {v}");
+        }
     }
 }

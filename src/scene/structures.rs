@@ -7,6 +7,7 @@ use crate::accel::{
     Accel, BoundingBall, BuildConfig, BuildOptions, Bvh, Bvh8, CompressedWideBvh, Exhaustive,
     Indexed, OptionError, OptionInfo, Tracer,
 };
+use crate::assets::expect_memory;
 use crate::conformance::{self, FirstDifference, Progress, Summary};
 use crate::shapes::TriangleSet;
 
@@ -33,6 +34,8 @@ pub struct Structure {
     offered: [&'static [OptionInfo]; 2],
     /// Those that were chosen.
     options: &'static BuildOptions,
+    /// The bytes that a build takes for each triangle of a mesh, and for each object.
+    build_bytes: [u64; 2],
     build: BuildFunction,
     /// What structures that give equal hits can do beside; none for peers.
     equal: Option<EqualHits>,
@@ -44,6 +47,12 @@ struct EqualHits {
     index: fn(TriangleSet, &BuildConfig) -> Box<dyn Tracer>,
     check: fn(&BuildOptions, &Progress) -> Result<Summary, FirstDifference>,
 }
+
+/// The bytes of a triangle as it is traced: an eighth of a pack.
+const PACKED_TRIANGLE: u64 = 40;
+
+/// The bytes of an object in the list that is searched.
+const LISTED_OBJECT: u64 = 60;
 
 const NO_OPTIONS: &BuildOptions = &BuildOptions::NONE;
 
@@ -63,6 +72,7 @@ impl Structure {
             base_name: name,
             offered: [T::OPTIONS, O::OPTIONS],
             options: NO_OPTIONS,
+            build_bytes: [PACKED_TRIANGLE + T::BUILD_BYTES, LISTED_OBJECT + O::BUILD_BYTES],
             build: |scene, config| Ok(Box::new(World::<O, T>::build(scene, config))),
             equal: Some(EqualHits {
                 index: |triangles, config| Box::new(Indexed::<_, T>::build(triangles, config)),
@@ -84,6 +94,7 @@ impl Structure {
             base_name: name,
             offered: [F::OPTIONS, &[]],
             options: NO_OPTIONS,
+            build_bytes: [PACKED_TRIANGLE, 0],
             build: |scene, config| Ok(Box::new(ForeignWorld::<F>::build(scene, config)?)),
             equal: None,
         }
@@ -126,14 +137,23 @@ impl Structure {
     /// Builds it over a scene. Options of the structure count more than those of `config`.
     ///
     /// # Errors
-    /// If a peer does not know what the scene is made of. The structures of this crate, and those of
-    /// [`new`](Self::new), take every scene.
+    /// If a peer does not know what the scene is made of, or if the build takes more memory than there
+    /// is, by an estimate. The structures of this crate, and those of [`new`](Self::new), take every
+    /// scene that there is memory for.
     pub fn try_build(
         &self,
         scene: &Scene,
         config: &BuildConfig,
     ) -> Result<Box<dyn TracedWorld>, BuildError> {
+        expect_memory(self.bytes_to_build(scene))?;
         (self.build)(scene, &self.config(config))
+    }
+
+    /// What a build takes, roughly.
+    fn bytes_to_build(&self, scene: &Scene) -> u64 {
+        let [of_triangle, of_object] = self.build_bytes;
+        let triangles: usize = scene.meshes().iter().map(|mesh| mesh.triangles.len()).sum();
+        of_triangle * triangles as u64 + of_object * scene.objects.len() as u64
     }
 
     /// Builds it over a scene that it is known to take.

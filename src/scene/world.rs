@@ -102,6 +102,10 @@ impl<O: Accel, T: Accel> Tracer for World<O, T> {
             None => self.objects.trace(rays, answers, scratch, counts),
         }
     }
+
+    fn is_one_by_one(&self) -> bool {
+        self.only_mesh.as_ref().map_or(O::ONE_BY_ONE, |mesh| mesh.is_one_by_one())
+    }
 }
 
 impl<O: Accel, T: Accel> TracedWorld for World<O, T> {

@@ -32,6 +32,7 @@ pub(super) struct SceneBuilder {
     mesh_ids: HashMap<String, usize>,
     /// The first degenerate triangle, and how many there are.
     degenerate: Option<(Span, usize)>,
+    memory: Option<u64>,
 }
 
 impl SceneBuilder {
@@ -169,6 +170,16 @@ impl SceneBuilder {
     /// How many objects and lights there are.
     pub(super) fn entity_count(&self) -> usize {
         self.objects.len() + self.lights.len()
+    }
+
+    /// How much memory objects and lights may take, if that is known.
+    pub(super) fn limit_memory(&mut self, bytes: Option<u64>) {
+        self.memory = bytes;
+    }
+
+    /// What [`limit_memory`](Self::limit_memory) has set.
+    pub(super) fn memory(&self) -> Option<u64> {
+        self.memory
     }
 
     /// Makes room for objects and lights that are known to come, if there is so much memory.

@@ -23,6 +23,8 @@ use super::values::{self, Values};
 pub struct ParseOptions {
     /// Unknown commands are skipped with a warning, as in the course's loader, and are no errors.
     pub lenient: bool,
+    /// How many bytes of memory a `repeat` may take, if that is known.
+    pub memory: Option<u64>,
 }
 
 /// Reads a whole scene. What is wrong comes in no particular order.
@@ -31,6 +33,7 @@ pub(super) fn read(
     options: &ParseOptions,
 ) -> (Option<SceneDescription>, Vec<Diagnostic>) {
     let mut parser = Parser { lenient: options.lenient, ..Parser::default() };
+    parser.scene.limit_memory(options.memory);
     let header = header::check(source);
     parser.scene.report_all(header.diagnostic);
     if header.first_line == FirstLine::NoScene {

@@ -96,6 +96,14 @@ impl<'s> OpenRepeats<'s> {
     }
 }
 
+/// The memory that objects and lights take as they are read, and compiled for tracing.
+fn bytes(objects: usize, lights: usize) -> u64 {
+    /// An object as it is traced, and its share of growing lists, as measured.
+    const COMPILED: usize = 100;
+    let of_objects = objects.saturating_mul(size_of::<Object>() + COMPILED);
+    of_objects.saturating_add(lights.saturating_mul(2 * size_of::<Light>())) as u64
+}
+
 /// What a repeat carries out in all. Counts saturate.
 #[derive(Clone, Copy, Default)]
 struct Totals {
@@ -153,7 +161,11 @@ impl Repeat<'_> {
             return Err(self.excess(totals, in_all));
         }
         let (objects, lights) = (totals.objects as usize, totals.lights as usize);
-        scene.reserve(objects, lights).map_err(|_| self.lack_of_memory(objects, lights))
+        let memory = scene.memory().filter(|&memory| memory < bytes(objects, lights));
+        if memory.is_some() {
+            return Err(self.lack_of_memory(objects, lights, memory));
+        }
+        scene.reserve(objects, lights).map_err(|_| self.lack_of_memory(objects, lights, None))
     }
 
     fn excess(&self, totals: Totals, in_all: u64) -> Diagnostic {
@@ -169,15 +181,20 @@ impl Repeat<'_> {
         Diagnostic::error(self.opened.clone(), message).with_label("too many").with_help(help)
     }
 
-    fn lack_of_memory(&self, objects: usize, lights: usize) -> Diagnostic {
-        let bytes = objects * size_of::<Object>() + lights * size_of::<Light>();
+    /// `available` is how much there is, where that is known.
+    fn lack_of_memory(&self, objects: usize, lights: usize, available: Option<u64>) -> Diagnostic {
+        let megabytes = |bytes: u64| bytes.div_ceil(1_000_000);
+        let available = available.map_or_else(String::new, |available| {
+            format!(", and {} MB are available", megabytes(available))
+        });
         let message = format!(
             "this makes {} objects and lights, more than the memory can hold",
             objects + lights
         );
         let help = format!(
-            "to read them takes {} MB: repeat fewer times, or let the program use more memory",
-            bytes.div_ceil(1_000_000)
+            "to read them takes {} MB{available}: repeat fewer times, or let the program use more \
+             memory",
+            megabytes(bytes(objects, lights))
         );
         Diagnostic::error(self.opened.clone(), message).with_label("too many").with_help(help)
     }

@@ -2,6 +2,8 @@
 
 use glam::Vec3;
 
+use crate::math::{Aabb, SizeRange};
+
 /// Why there is no [`TriangleSet`](super::TriangleSet): the first triangle that is wrong, and how.
 #[derive(Clone, Debug, thiserror::Error, PartialEq)]
 pub enum MeshError {
@@ -31,6 +33,19 @@ pub enum MeshError {
         /// Which triangle.
         triangle: usize,
     },
+    /// All together reach too far, or are too small, for products of their lengths in single precision.
+    #[error(
+        "the triangles reach to {largest:e}, and the longest side of their box is {side:e}: coordinates \
+         may be up to {:e}, and that side must be at least {:e}",
+        SizeRange::TRIANGLES.largest,
+        SizeRange::TRIANGLES.smallest
+    )]
+    OutOfRange {
+        /// The largest coordinate.
+        largest: f32,
+        /// The longest side of the box around them.
+        side: f32,
+    },
     /// More than ids can name.
     #[error("{triangles} triangles are too many: 2^32 - 1 is the most")]
     TooMany {
@@ -43,6 +58,15 @@ impl MeshError {
     /// What is wrong with the first of some triangles that is.
     pub(super) fn of_first(positions: &[Vec3], triangles: &[[u32; 3]]) -> Option<Self> {
         triangles.iter().enumerate().find_map(|(i, corners)| Self::of(positions, i, corners))
+    }
+
+    /// What is wrong with all of them, by the box around them: it is out of
+    /// [`SizeRange::TRIANGLES`]. Those that lie in one point are hit by nothing, and that is right.
+    pub(super) fn of_bounds(bounds: &Aabb) -> Option<Self> {
+        let (largest, side) = (bounds.largest_coordinate(), bounds.size().max_element());
+        let is_point = side == 0.0 && f64::from(largest) <= SizeRange::TRIANGLES.largest;
+        let is_fine = bounds.is_empty() || is_point || SizeRange::TRIANGLES.holds_for(bounds);
+        (!is_fine).then_some(Self::OutOfRange { largest, side })
     }
 
     fn of(positions: &[Vec3], triangle: usize, corners: &[u32; 3]) -> Option<Self> {
@@ -90,6 +114,28 @@ mod tests {
         positions[3] = Vec3::splat(f32::MAX);
         positions[2] = Vec3::splat(f32::MIN);
         assert!(refused(&positions, &[[2, 3, 0]]).contains("triangle 0 is too large"));
+    }
+
+    #[test]
+    fn what_is_too_far_away_or_too_small_is_refused_with_the_range() {
+        let at = |scale: f32, offset: f32| {
+            let place = |p: Vec3| scale * p + Vec3::splat(offset);
+            TriangleSet::try_new(&POSITIONS.map(place), &[[0, 1, 2], [1, 2, 3]])
+        };
+        for (scale, offset) in [(1e12, 0.0), (1.0, 1e5), (1.1e-10, 0.0), (0.0, 1e9)] {
+            assert!(at(scale, offset).is_ok(), "{scale:e} {offset:e}");
+        }
+        for (scale, offset) in
+            [(1.1e12, 0.0), (1e15, 0.0), (1e19, 0.0), (0.9e-10, 0.0), (1e-23, 0.0)]
+        {
+            assert!(matches!(at(scale, offset), Err(MeshError::OutOfRange { .. })), "{scale:e}");
+        }
+        assert!(at(0.0, 1e13).is_err() && at(1e9, 2e12).is_err());
+        assert_eq!(
+            at(2e12, 0.0).unwrap_err().to_string(),
+            "the triangles reach to 2e12, and the longest side of their box is 2e12: coordinates may \
+             be up to 1e12, and that side must be at least 1e-10"
+        );
     }
 
     #[test]

@@ -88,8 +88,10 @@ impl TriangleSet {
     /// triangles out of a tree.
     ///
     /// # Errors
-    /// If an index is out of range, a corner is not finite, a triangle too large, or there are more
-    /// than 2³² − 1 of them.
+    /// If an index is out of range, a corner is not finite, or there are more than 2³² − 1 triangles;
+    /// if they reach too far, or all together are too small, to be hit in single precision:
+    /// coordinates may be up to 10¹², and the longest side of the box around them from 10⁻¹⁰
+    /// ([`SizeRange::TRIANGLES`](crate::math::SizeRange::TRIANGLES)).
     pub fn try_new(positions: &[Vec3], triangles: &[[u32; 3]]) -> Result<Self, MeshError> {
         let too_many = |_| MeshError::TooMany { triangles: triangles.len() };
         let count = u32::try_from(triangles.len()).map_err(too_many)?;
@@ -120,7 +122,11 @@ impl TriangleSet {
             mean_vertex: mean_vertex(positions, triangles),
             padding: Padding { largest: 0.0, factor: 1.0 },
         };
-        set.padding = Padding::of_bounds(&set.total_bounds());
+        let bounds = set.total_bounds();
+        if let Some(error) = MeshError::of_bounds(&bounds) {
+            return Err(error);
+        }
+        set.padding = Padding::of_bounds(&bounds);
         Ok(set)
     }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::support::{Run, SCENE, folder, good_run_in, names, picture, refused, run_in};
+use crate::support::{Run, SCENE, folder, good_run_in, names, picture, refused, run_in, send};
 
 const QUICK: [&str; 8] =
     ["--budget", "8", "--rounds", "6", "--threads", "2", "--accel", "none,bvh"];
@@ -227,7 +227,7 @@ fn an_interrupted_comparison_is_written_and_marked() {
     use std::process::{Command, Stdio};
     use std::time::Duration;
 
-    // On a busy machine the work may begin late, and before it Ctrl-C ends the process at once.
+    // On a busy machine the work may begin late, and before it a signal ends the process at once.
     for seconds in [1, 2, 4, 8, 16] {
         let folder = folder();
         let child = Command::new(assert_cmd::cargo::cargo_bin!("srt"))
@@ -238,10 +238,9 @@ fn an_interrupted_comparison_is_written_and_marked() {
             .spawn()
             .unwrap();
         std::thread::sleep(Duration::from_secs(seconds));
-        let id = child.id().to_string();
-        assert!(Command::new("kill").args(["-s", "INT", &id]).status().unwrap().success());
+        send(child.id(), "TERM");
         let output = child.wait_with_output().unwrap();
-        assert_eq!(output.status.code(), Some(130));
+        assert_eq!(output.status.code(), Some(143));
         let record = folder.path().join("out/report.json");
         if record.exists() {
             assert_eq!(json(&record)["run"]["partial"], true);
@@ -250,4 +249,23 @@ fn an_interrupted_comparison_is_written_and_marked() {
         }
     }
     panic!("the comparison never began");
+}
+
+/// Unix file names are bytes. Reports show them as far as they are text.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_scene_whose_name_is_no_text_is_compared() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let folder = folder();
+    let name = OsStr::from_bytes(b"caf\xe9.sce");
+    std::fs::rename(folder.path().join("scene.sce"), folder.path().join(name)).unwrap();
+    let arguments = ["compare", "--accel", "bvh,bvh8", "--budget", "1", "--out", "out"];
+    let output = crate::support::srt(&arguments).arg(name).current_dir(folder.path()).output();
+    let output = output.unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let record = json(&folder.path().join("out/report.json"));
+    assert_eq!(record["scenes"][0]["name"], "caf\u{fffd}");
+    assert!(folder.path().join("out/report.html").exists());
 }

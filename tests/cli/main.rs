@@ -7,6 +7,8 @@ mod check;
 mod compare;
 mod conformance;
 mod diff;
+#[cfg(target_os = "linux")]
+mod faults;
 #[cfg(unix)]
 mod interrupt;
 mod mesh;

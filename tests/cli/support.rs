@@ -91,6 +91,22 @@ pub(crate) fn names(folder: &Path) -> Vec<String> {
     names
 }
 
+/// Sends a signal to a process.
+pub(crate) fn send(process: u32, signal: &str) {
+    let kill =
+        std::process::Command::new("kill").args(["-s", signal, &process.to_string()]).status();
+    assert!(kill.unwrap().success());
+}
+
+/// Whether this process was begun without a signal, and so its children are: as a background job of a
+/// shell is begun without SIGINT.
+pub(crate) fn is_ignored(signal: i32) -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
+}
+
 /// Expects a refusal with a message, and no new file.
 pub(crate) fn refused(arguments: &[&str], parts: &[&str]) {
     let folder = folder();

@@ -125,6 +125,32 @@ fn meshes_of_all_kinds_at_all_scales() {
     assert!(compared >= 1_000_000, "only {compared} rays were compared");
 }
 
+/// Directions of any finite length, as long as `t` is a number at all: where it is below the normal
+/// numbers, a step of it is a long way.
+#[test]
+fn rays_of_any_finite_length() {
+    const LENGTHS: [f32; 8] = [1e-38, 1e-25, 1e15, 1e25, 1e30, 1e35, 1e37, 2e38];
+    let meshes = [nasty_meshes::lattice(), nasty_meshes::soup(), nasty_meshes::single()];
+    let mut below_normal = 0;
+    for (mesh, scale) in meshes.iter().flat_map(|mesh| [1.0, 1e-3, 1e-9, 1e6].map(|s| (mesh, s))) {
+        let mesh = mesh.moved(scale, Vec3::ZERO);
+        let none = indexed::<Exhaustive>(&mesh, Quality::Medium);
+        let structures = structures(&mesh, &[Quality::Medium]);
+        let mut rays = rays_at(&mesh, 4_000, 5);
+        for (i, ray) in rays.iter_mut().enumerate() {
+            ray.dir = LENGTHS[i / 12 % 8] * ray.dir.as_dvec3().normalize_or_zero().as_vec3();
+            assert!(ray.check().is_ok());
+        }
+        let expected = trace(&none, &rays);
+        let cut = rays_cut_at_hits(&rays, &expected.0);
+        let hits = expected.0.iter().filter(|hit| hit.is_hit());
+        below_normal += hits.filter(|hit| hit.t < f32::MIN_POSITIVE).count();
+        assert_all_equal(&mesh, &structures, &rays, &expected);
+        assert_all_equal(&mesh, &structures, &cut, &trace(&none, &cut));
+    }
+    assert!(below_normal > 1_000, "{below_normal}");
+}
+
 #[test]
 fn grids_along_the_axes() {
     let places =

@@ -1,7 +1,10 @@
 //! The verdict, the terminal's table, and Markdown's sentences.
 
+use std::collections::BTreeSet;
+
+use serde_json::Value;
 use srt::analysis::{Analysis, OverallFigures};
-use srt::record::{BlockSample, RayClass, Status};
+use srt::record::{BlockSample, Comparison, RayClass, Status};
 use srt::report::{Pictures, Report};
 
 use crate::sample;
@@ -145,7 +148,11 @@ fn a_ratio_that_is_too_wide_is_called_so_and_is_in_no_chart_and_no_mean() {
     let own = figures.scenes[0].structure("cwbvh").unwrap();
     assert_eq!((own.mean_ray_ns, own.break_even, own.on_pareto_front), (None, None, false));
     let dots = |page: &str| page.matches("<text class=\"value\"").count();
-    assert_eq!(dots(&report.html(&Pictures::new())), dots(&all) - 4, "speed-up and rate, in both forms");
+    assert_eq!(
+        dots(&report.html(&Pictures::new())),
+        dots(&all) - 4,
+        "speed-up and rate, in both forms"
+    );
 }
 
 #[test]
@@ -246,6 +253,56 @@ fn text_of_the_record_breaks_no_table() {
     let text = Report::new(&sample::partial()).markdown();
     assert!(text.contains("failed: the build ran out of \\| memory &lt;here&gt;"));
     assert!(text.contains("**Partial:"));
+}
+
+/// A record with each of its strings that may be any text replaced by markup that is a formula, too.
+fn hostile(comparison: &Comparison) -> Comparison {
+    fn strings(value: &Value, found: &mut BTreeSet<String>) {
+        match value {
+            Value::String(text) => drop(found.insert(text.clone())),
+            Value::Array(values) => values.iter().for_each(|value| strings(value, found)),
+            Value::Object(fields) => fields.values().for_each(|value| strings(value, found)),
+            _ => {}
+        }
+    }
+    fn replace(value: &mut Value, old: &str, new: &str) {
+        match value {
+            Value::String(text) if text == old => *text = new.to_owned(),
+            Value::Array(values) => values.iter_mut().for_each(|value| replace(value, old, new)),
+            Value::Object(fields) => fields.values_mut().for_each(|value| replace(value, old, new)),
+            _ => {}
+        }
+    }
+    let mut value = serde_json::to_value(comparison).unwrap();
+    let mut found = BTreeSet::new();
+    strings(&value, &mut found);
+    for (number, old) in found.iter().enumerate() {
+        let mut changed = value.clone();
+        replace(&mut changed, old, &format!("=<script>{number}</script>"));
+        // What is one of a few words must stay one.
+        if serde_json::from_value::<Comparison>(changed.clone()).is_ok() {
+            value = changed;
+        }
+    }
+    serde_json::from_value(value).unwrap()
+}
+
+#[test]
+fn text_of_the_record_is_neither_markup_nor_formula() {
+    let comparison = hostile(&sample::full());
+    assert!(comparison.scenes[0].path.starts_with("=<script>"));
+    let report = Report::new(&comparison);
+    let text = report.markdown();
+    // Nothing is markup between backticks, of which the strings have none.
+    let outside: String = text.split('`').step_by(2).collect();
+    assert!(!outside.contains("<script") && text.contains("&lt;script"), "{outside}");
+    for table in [report.csv(), report.sampling_csv().unwrap()] {
+        assert!(table.contains("'=<script>"));
+        assert!(
+            table.lines().flat_map(|line| line.split(',')).all(|field| !field.starts_with('='))
+        );
+    }
+    assert!(!report.html(&Pictures::new()).contains("<script>"));
 }
 
 #[test]

@@ -64,6 +64,9 @@ const BUILDER: OptionInfo = Builder::option("sah; in fast and fastest builds plo
 const LEAF: OptionInfo = OptionInfo::leaf(WIDTH as u32, "8");
 
 impl Accel for Bvh8 {
+    /// As measured.
+    const BUILD_BYTES: u64 = 150;
+
     const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
 
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {

@@ -1,5 +1,7 @@
 //! Names of generated meshes: `generate:KIND:TRIANGLES[:SEED]`.
 
+use std::fmt;
+
 use thiserror::Error;
 
 use super::{MAX_TRIANGLES, MeshKind};
@@ -73,7 +75,26 @@ impl RecipeError {
     }
 }
 
+impl fmt::Display for Recipe {
+    /// The name that [`parse`](Self::parse) reads.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{PREFIX}{}:{}", self.kind, self.triangles)?;
+        if self.seed == 0 { Ok(()) } else { write!(f, ":{}", self.seed) }
+    }
+}
+
 impl Recipe {
+    /// What it takes to make the mesh in memory, as measured, in bytes.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        let of_triangle = match self.kind {
+            // None of its triangles share vertices.
+            MeshKind::Soup => 72,
+            MeshKind::Icosphere | MeshKind::TorusKnot | MeshKind::Terrain | MeshKind::Hall => 38,
+        };
+        of_triangle * u64::from(self.triangles)
+    }
+
     /// The mesh of a name; `None` if it does not start with `generate:`.
     #[must_use]
     pub fn parse(name: &str) -> Option<Result<Self, RecipeError>> {

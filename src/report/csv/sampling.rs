@@ -1,6 +1,6 @@
 //! The chapter on sampling → CSV: a line for each cost, share and noise.
 
-use super::{line, number, parts, whole};
+use super::{line, number, parts, text, whole};
 use crate::analysis::Pairing;
 use crate::report::Report;
 
@@ -30,12 +30,12 @@ const HEADS: [&str; 18] = [
 pub(in crate::report) fn write_sampling(report: &Report<'_>) -> Option<String> {
     let Report { comparison, analysis, .. } = report;
     let chapter = comparison.sampling.as_ref()?;
-    let mut text = line(HEADS.map(str::to_owned));
+    let mut lines = line(HEADS.map(str::to_owned));
     for (cost, figures) in chapter.costs.iter().zip(&analysis.operations) {
         let [ns, low, high] = parts(figures.ns);
-        text += &row(&[
+        lines += &row(&[
             ("what", "cost".to_owned()),
-            ("operation", figures.operation.clone()),
+            ("operation", text(&figures.operation)),
             ("count", cost.count.to_string()),
             ("rounds", whole(figures.ns.map(|estimate| estimate.rounds as u64))),
             ("ns", ns),
@@ -44,11 +44,11 @@ pub(in crate::report) fn write_sampling(report: &Report<'_>) -> Option<String> {
         ]);
     }
     for (part, figures) in chapter.parts.iter().zip(&analysis.shares) {
-        text += &row(&[
+        lines += &row(&[
             ("what", "share".to_owned()),
-            ("scene", part.scene.clone()),
-            ("sampling", part.sampling.clone()),
-            ("operation", part.operation.clone()),
+            ("scene", text(&part.scene)),
+            ("sampling", text(&part.sampling)),
+            ("operation", text(&part.operation)),
             ("pixel_samples", part.pixel_samples.to_string()),
             ("count", part.count.to_string()),
             ("share", number(figures.share)),
@@ -61,10 +61,10 @@ pub(in crate::report) fn write_sampling(report: &Report<'_>) -> Option<String> {
             Pairing::EqualSamples => "samples",
             Pairing::EqualTime => "time",
         };
-        text += &row(&[
+        lines += &row(&[
             ("what", "noise".to_owned()),
-            ("scene", figures.scene.clone()),
-            ("sampling", figures.sampling.clone()),
+            ("scene", text(&figures.scene)),
+            ("sampling", text(&figures.sampling)),
             ("equal", equal.to_owned()),
             ("pixel_samples", number(Some(figures.pixel_samples))),
             ("light_samples", figures.light_samples.to_string()),
@@ -79,16 +79,16 @@ pub(in crate::report) fn write_sampling(report: &Report<'_>) -> Option<String> {
         ]);
     }
     for picture in &chapter.converged {
-        text += &row(&[
+        lines += &row(&[
             ("what", "converged".to_owned()),
-            ("scene", picture.scene.clone()),
+            ("scene", text(&picture.scene)),
             ("pixel_samples", picture.pixel_samples.to_string()),
             ("light_samples", picture.light_samples.to_string()),
             ("count", picture.passes.to_string()),
             ("converged_rmse", number(Some(picture.rmse))),
         ]);
     }
-    Some(text)
+    Some(lines)
 }
 
 /// A line with the named fields; all others are empty.

@@ -6,7 +6,7 @@ use glam::Vec3A;
 
 use crate::accel::{Decoder, Encoder, LoadError, PACK, PortablePrimitives};
 use crate::math::Padding;
-use crate::shapes::Triangle;
+use crate::shapes::{MeshError, Triangle};
 
 use super::{Bounded, TriangleSet, pack};
 
@@ -45,7 +45,11 @@ impl PortablePrimitives for TriangleSet {
         let packs = pack(triangles.len(), |slot| Some((*triangles.get(slot)?, slot as u32)));
         let padding = Padding { largest: 0.0, factor: 1.0 };
         let mut set = Self { packs, count, mean_vertex, padding };
-        set.padding = Padding::of_bounds(&set.total_bounds());
+        let bounds = set.total_bounds();
+        if let Some(error) = MeshError::of_bounds(&bounds) {
+            return Err(LoadError::invalid(error.to_string()));
+        }
+        set.padding = Padding::of_bounds(&bounds);
         Ok(set)
     }
 }
