@@ -1,7 +1,8 @@
 //! The recorded rays of a class through all structures, in interleaved rounds on one thread.
 //!
 //! A structure that would take too long for all rays in every round traces a sample of them, drawn anew for each
-//! (`block_sample.rs`). One that has no time for even two small blocks is left out of the class, and its row notes that.
+//! (`block_sample.rs`). One that has no time for even two small blocks is left out of the class, and its row notes
+//! that.
 
 use std::time::Duration;
 

@@ -125,8 +125,8 @@ pub fn run(
     Ok(ComparisonResult { comparison, pictures })
 }
 
-/// The order in which scenes are measured: those that take the least time first, so that what they leave of their shares
-/// goes to those that need more. The number of what is to be hit says roughly which these are.
+/// The order in which scenes are measured: those that take the least time first, so that what they leave of their
+/// shares goes to those that need more. The number of what is to be hit says roughly which these are.
 fn cheapest_first(scenes: &[SceneInput]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..scenes.len()).collect();
     let primitives = |scene: &Scene| scene.triangle_count() + scene.objects.len() as u64;

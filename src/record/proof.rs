@@ -47,8 +47,8 @@ pub struct StructureProof {
     pub picture_hash: Option<String>,
     /// Whether its picture equals the reference's, bit for bit; absent if either rendered none.
     pub picture_equal: Option<bool>,
-    /// Width and height of the pictures that were compared, which are smaller than the scene's where there was no time for
-    /// that; absent if none were, and in older records.
+    /// Width and height of the pictures that were compared, which are smaller than the scene's where there was no time
+    /// for that; absent if none were, and in older records.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub picture_size: Option<[u32; 2]>,
     /// Pixels with a different bit.

@@ -23,7 +23,11 @@ fn a_report_is_written_in_all_its_forms_and_again() {
     let folder = folder();
     let run = compare(folder.path(), &["--out", "new/out"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
-    assert!(run.stdout.contains("bvh") && run.stdout.contains("equal"), "{}", run.stdout);
+    assert!(
+        run.stdout.contains("bvh") && run.stdout.contains("no difference in"),
+        "{}",
+        run.stdout
+    );
     let out = folder.path().join("new/out");
     let files = [
         "report.csv",

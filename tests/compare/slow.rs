@@ -119,7 +119,7 @@ fn a_slow_structure_traces_samples_and_its_ratio_is_that_of_all_rays() {
 
 #[test]
 fn where_the_reference_has_time_for_few_rays_a_witness_traces_the_others() {
-    let none = Structure::new::<Slow<500>, Exhaustive>("none", "half a millisecond a ray");
+    let none = Structure::new::<Slow<1_000>, Exhaustive>("none", "a millisecond a ray");
     let lossy = Structure::new::<Forgetful, Forgetful>("lossy", "loses half of the primitives");
     let plan = Plan { classes: vec![], ..short_plan(20.0) };
     let structures = [none, lossy, named("bvh"), named("cwbvh")];

@@ -1,8 +1,8 @@
 //! Record → one self-contained HTML file.
 //!
 //! It has no font and no external link: pictures are embedded, plots are inline SVG, and its content security policy
-//! forbids loading anything, and running any script but the one that sorts tables. The page is complete without that. Its
-//! style is for light and dark screens, phones and paper.
+//! forbids loading anything, and running any script but the one that sorts tables. The page is complete without that.
+//! Its style is for light and dark screens, phones and paper.
 
 mod contents;
 mod figures;

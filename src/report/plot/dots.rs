@@ -17,6 +17,8 @@ const GROUP_NAME: f64 = 110.0;
 const RIGHT: f64 = 190.0;
 const TOP: f64 = 8.0;
 const BOTTOM: f64 = 46.0;
+/// The height of a second line of the label.
+const LABEL: f64 = 17.0;
 
 /// Measurements under one name.
 pub(in crate::report) struct DotGroup {
@@ -51,7 +53,7 @@ pub(in crate::report) fn dot_plot(
         let axis = Axis::around(dots().flat_map(ends).chain(line_at), layout.area)?;
         let bottom = TOP + groups.iter().map(|group| layout.height(group)).sum::<f64>();
         let content = html! {
-            (grid(&axis, layout.middle(), bottom, axis_label))
+            (layout.grid(&axis, bottom, axis_label))
             @if let Some(value) = line_at {
                 line class="base" x1=(at(axis.at(value))) x2=(at(axis.at(value))) y1=(TOP) y2=(at(bottom)) {}
             }
@@ -62,7 +64,7 @@ pub(in crate::report) fn dot_plot(
                 }
             }
         };
-        Some(Drawing { size: (layout.width, bottom + BOTTOM), content })
+        Some(Drawing { size: (layout.width, bottom + layout.below()), content })
     })
 }
 
@@ -91,8 +93,31 @@ impl Layout {
         }
     }
 
-    fn middle(&self) -> f64 {
-        (self.area.0 + self.area.1) / 2.0
+    /// The height of what is below the axis.
+    fn below(&self) -> f64 {
+        BOTTOM + if self.form == Form::Narrow { LABEL } else { 0.0 }
+    }
+
+    fn grid(&self, axis: &Axis, bottom: f64, label: &str) -> Markup {
+        let middle = (self.area.0 + self.area.1) / 2.0;
+        // A long label takes two lines where there is no room for one.
+        let (label, rest) = match label.split_once(", with") {
+            Some((label, rest)) if self.form == Form::Narrow => {
+                (label, Some(format!("with{rest}")))
+            }
+            _ => (label, None),
+        };
+        html! {
+            @for tick in axis.ticks() {
+                @let x = at(axis.at(tick));
+                line class="grid" x1=(x) x2=(x) y1=(TOP) y2=(at(bottom)) {}
+                text class="tick" x=(x) y=(at(bottom + 17.0)) text-anchor="middle" { (tick_label(tick, &[])) }
+            }
+            text class="axis" x=(at(middle)) y=(at(bottom + 37.0)) text-anchor="middle" { (label) }
+            @if let Some(rest) = rest {
+                text class="axis" x=(at(middle)) y=(at(bottom + 37.0 + LABEL)) text-anchor="middle" { (rest) }
+            }
+        }
     }
 
     /// The height of a group, with what is left free around it.
@@ -144,17 +169,6 @@ fn interval(dot: &Dot, axis: &Axis, y: f64) -> Markup {
         @if let Some(interval) = dot.value.interval {
             line class=(class) x1=(at(axis.clamped(interval.low))) x2=(at(axis.clamped(interval.high))) y1=(at(y)) y2=(at(y)) {}
         }
-    }
-}
-
-fn grid(axis: &Axis, middle: f64, bottom: f64, label: &str) -> Markup {
-    html! {
-        @for tick in axis.ticks() {
-            @let x = at(axis.at(tick));
-            line class="grid" x1=(x) x2=(x) y1=(TOP) y2=(at(bottom)) {}
-            text class="tick" x=(x) y=(at(bottom + 17.0)) text-anchor="middle" { (tick_label(tick, &[])) }
-        }
-        text class="axis" x=(at(middle)) y=(at(bottom + 37.0)) text-anchor="middle" { (label) }
     }
 }
 

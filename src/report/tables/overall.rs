@@ -40,7 +40,8 @@ pub(in crate::report) fn overall_table(report: &Report<'_>) -> Table {
     table
 }
 
-/// What was compared in which scene, a row for each scene; without rows for a single scene, which has a table of its own.
+/// What was compared in which scene, a row for each scene; without rows for a single scene, which has a table of its
+/// own.
 pub(in crate::report) fn proof_matrix(comparison: &Comparison) -> Table {
     let mut names: Vec<&str> = Vec::new();
     for row in comparison.scenes.iter().flat_map(|scene| &scene.structures) {
