@@ -3,12 +3,13 @@
 //! Where each round measured everything, the rounds differ by the noise of the machine alone, and their median is the
 //! estimate. Where each round drew a random sample of its own, the rounds are independent replicates whose mean is
 //! unbiased for the whole, while a median is not. The differences between such rounds contain both the machine's noise
-//! and what the choice of the sample adds, so an interval from the rounds includes both (W. G. Cochran: *Sampling
-//! Techniques*, 3rd edition, 1977, sections 5.3 and 11.20: replicated, or interpenetrating, samples).
+//! and what the choice of the sample adds, so an interval from the rounds includes both. This is the method of
+//! independent random groups (K. M. Wolter: *Introduction to Variance Estimation*, 2nd edition, 2007, chapter 2), each
+//! of them a stratified random sample (W. G. Cochran: *Sampling Techniques*, 3rd edition, 1977, chapter 5).
 //!
-//! A ratio is that of two such estimates. Its interval is the textbook's for a ratio estimator (the same book, section
-//! 6.3): Student's, from the residues of rounds of the same number, whose common part cancels. It is taken for the
-//! logarithm, since a time cannot be negative.
+//! A ratio is that of two such estimates. Its interval is the textbook's for a ratio estimator (Cochran, chapter 6):
+//! Student's, from the residues of rounds of the same number, whose common part cancels. It is taken for the logarithm,
+//! since a time cannot be negative.
 
 use super::estimate::{all_finite, estimate, median};
 use super::ratio::{paired_ratio, unpaired_ratio};
