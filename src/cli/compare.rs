@@ -31,6 +31,9 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Comman
     if let Some(note) = too_short(&plan).filter(|_| !arguments.quiet) {
         print_message(note);
     }
+    if !arguments.quiet {
+        compare::disturbances().iter().for_each(print_message);
+    }
     let progress = CompareProgress::start(arguments.quiet, interrupt.clone());
     let result = interrupt.cancellable(|| compare::run(&plan, &arguments.structures(), &progress));
     drop(progress);

@@ -1,8 +1,12 @@
 //! The default command: a scene → a picture. The layer `render` does the work; this file loads the
 //! scene, shows progress, writes the picture, and prints the figures.
 
+use std::path::Path;
+
+use clap::CommandFactory;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use super::args::Arguments;
 use super::exit::{CommandResult, Exit, Failure};
 use super::figures::Figures;
 use super::interrupt::Interrupt;
@@ -19,6 +23,9 @@ use crate::scene::{BuildError, BuildReport, Scene};
 
 /// Renders; a rendering that a signal ended is written only with `--keep-partial`.
 pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> CommandResult {
+    if let Some(failure) = no_such_name(arguments.scene.as_deref()) {
+        return Err(failure);
+    }
     let options = RenderOptions::new(arguments)?;
     let pool = pool(options.threads)?;
     let scene = match pool.install(|| load(&options.scene, options.lenient)) {
@@ -38,6 +45,30 @@ pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> CommandR
     let refused = |error| Failure::new(format_args!("`{}`: {error}", options.structure.name));
     let (build, rendering) = traced.map_err(refused)?;
     conclude(&settings, options, build, rendering, interrupt)
+}
+
+/// What to say of a scene that is a single word and no file: it was probably meant to be a subcommand.
+fn no_such_name(scene: Option<&Path>) -> Option<Failure> {
+    let scene = scene?;
+    let typed = scene.to_str()?;
+    let is_word = typed.starts_with(|c: char| c.is_ascii_alphabetic())
+        && typed.chars().all(|c| c.is_ascii_alphanumeric() || c == '-');
+    if !is_word || typed.len() > 40 || scene.exists() {
+        return None;
+    }
+    let command = Arguments::command();
+    // A subcommand behind options of rendering is taken for a scene.
+    if command.find_subcommand(typed).is_some() {
+        return None;
+    }
+    let distance = |name: &&str| strsim::damerau_levenshtein(typed, name);
+    let names = command.get_subcommands().map(clap::Command::get_name);
+    let near = names.min_by_key(distance).filter(|name| distance(name) <= (typed.len() / 3).max(1));
+    let hint = match near {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "`srt SCENE OUTPUT` renders, `srt help` lists the subcommands".to_owned(),
+    };
+    Some(Failure::new(format_args!("there is no scene and no subcommand `{typed}`; {hint}")))
 }
 
 fn pool(threads: usize) -> Result<ThreadPool, Failure> {

@@ -22,6 +22,32 @@ pub(super) fn machine() -> Machine {
     }
 }
 
+/// What will disturb measurements on this machine now, as far as the system tells: a sentence each, to be said before
+/// they begin.
+#[must_use]
+pub fn disturbances() -> Vec<String> {
+    disturbances_of(&machine())
+}
+
+fn disturbances_of(machine: &Machine) -> Vec<String> {
+    let load = machine.load_at_start.map(|load| load[0]);
+    let busy = load.filter(|load| *load > f64::from(machine.cores)).map(|load| {
+        format!(
+            "warning: the machine is busy: its load is {load:.1}, on {} cores; times will be less reliable",
+            machine.cores
+        )
+    });
+    let governor = machine.governor.as_deref();
+    let saving = governor.filter(|name| ["powersave", "conservative"].contains(name));
+    let saving = saving.map(|name| {
+        format!(
+            "warning: the governor of the clock frequency is `{name}`, which saves power: frequencies may change \
+             between rounds"
+        )
+    });
+    busy.into_iter().chain(saving).collect()
+}
+
 /// How this program was built; the rest of the run is still to be filled in.
 pub(super) fn build_of_program() -> Run {
     let noted = |value: Option<&str>| value.unwrap_or_default().to_owned();
@@ -107,6 +133,21 @@ fn kibibytes(path: &str, word: &str) -> Option<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_load_above_the_cores_and_a_saving_governor_are_told() {
+        let machine = |load, governor: &str| Machine {
+            cores: 2,
+            load_at_start: Some([load, 0.0, 0.0]),
+            governor: Some(governor.to_owned()),
+            ..Machine::default()
+        };
+        assert_eq!(disturbances_of(&machine(1.9, "performance")), [""; 0]);
+        let told = disturbances_of(&machine(4.26, "powersave"));
+        assert!(told[0].contains("its load is 4.3, on 2 cores"), "{told:?}");
+        assert!(told[1].contains("`powersave`"), "{told:?}");
+        assert_eq!(disturbances_of(&Machine::default()), [""; 0]);
+    }
 
     #[test]
     fn the_machine_has_a_processor_and_the_build_a_version() {

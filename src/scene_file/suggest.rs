@@ -7,7 +7,7 @@ use super::commands::{GROUPS, rows};
 /// The command that an unknown word was probably meant to be.
 ///
 /// Another name for it counts first, then the spelling: one slip in three letters, swapped
-/// neighbours being one.
+/// neighbours being one. Then what the word abbreviates, if that is a single command.
 pub(super) fn did_you_mean(word: &str) -> Option<&'static Row> {
     // What is much longer than any keyword resembles none, and would take long to compare.
     if word.len() > 40 {
@@ -24,7 +24,21 @@ pub(super) fn did_you_mean(word: &str) -> Option<&'static Row> {
             .filter(|(slipped, row)| *slipped <= slips && *slipped < row.command.keyword.len())
             .min_by_key(|(slipped, _)| *slipped)
             .map(|(_, row)| row)
+            .or_else(|| abbreviated(&word))
     })
+}
+
+/// The one command that a word of at least three letters abbreviates: it begins as the command does, and its letters
+/// are in the command in their order.
+fn abbreviated(word: &str) -> Option<&'static Row> {
+    let abbreviates = |keyword: &str| {
+        let mut letters = keyword.chars();
+        keyword.chars().next() == word.chars().next()
+            && word.chars().all(|letter| letters.any(|other| other == letter))
+    };
+    let mut found = rows().filter(|row| abbreviates(row.command.keyword));
+    let first = found.next().filter(|_| word.chars().count() >= 3)?;
+    found.next().is_none().then_some(first)
 }
 
 /// All commands, a line for each group.
@@ -50,6 +64,9 @@ mod tests {
         assert_eq!(meant("trainlge"), Some("triangle"));
         assert_eq!(meant("pushmatrix"), Some("push_matrix"));
         assert_eq!(meant("c"), Some("ca"));
+        assert_eq!(meant("plight"), Some("pointlight"));
+        assert_eq!(meant("cyl"), Some("cylinder"));
+        assert_eq!(meant("pmatrix"), None, "it abbreviates two commands");
         assert_eq!(meant("texture"), None);
         assert_eq!(meant("v"), None);
         assert_eq!(meant("€"), None);

@@ -20,6 +20,18 @@ fn an_unknown_instruction_set_is_refused() {
 }
 
 #[test]
+fn a_word_that_is_neither_a_scene_nor_a_subcommand_is_called_so() {
+    let folder = folder();
+    let run = run_in(folder.path(), &["rendr", "my.sce"]);
+    assert_eq!(run.code, 2);
+    let words = "there is no scene and no subcommand `rendr`; `srt SCENE OUTPUT` renders";
+    assert!(run.stderr.contains(words), "{}", run.stderr);
+    let run = run_in(folder.path(), &["chek", "scene.sce"]);
+    let words = "there is no scene and no subcommand `chek`; did you mean `check`?";
+    assert!(run.stderr.contains(words), "{}", run.stderr);
+}
+
+#[test]
 fn help_names_every_option_and_exit_code() {
     let Run { code, stdout: help, .. } = run_in(Path::new("."), &["--help"]);
     assert_eq!(code, 0);
