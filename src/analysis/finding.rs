@@ -104,17 +104,15 @@ fn traced<'a>(scene: &'a SceneRecord, name: &str, class: RayClass) -> Option<&'a
 /// The geometric mean of ratios with intervals. Their errors are independent, so the squares of the errors of their
 /// logarithms add up. `None` without ratios, or if one has no interval.
 fn mean_ratio(ratios: &[Estimate]) -> Option<Estimate> {
+    if let [only] = ratios {
+        return Some(*only);
+    }
+    let rounds = ratios.iter().map(|ratio| ratio.rounds).min()?;
     let n = ratios.len() as f64;
     let logs: f64 = ratios.iter().map(|ratio| ratio.value.ln()).sum();
     let squares: Option<f64> =
         ratios.iter().map(|ratio| ratio.interval.map(|own| log_error(&own).powi(2))).sum();
-    let first = ratios.first()?;
-    let squares = squares?;
-    if let [only] = ratios {
-        return Some(*only);
-    }
-    let (value, reach) = ((logs / n).exp(), (NORMAL * squares.sqrt() / n).exp());
-    let rounds = ratios.iter().map(|ratio| ratio.rounds).min().unwrap_or(first.rounds);
+    let (value, reach) = ((logs / n).exp(), (NORMAL * squares?.sqrt() / n).exp());
     let interval = Some(Interval { low: value / reach, high: value * reach });
     Some(Estimate { value, interval, rounds })
 }

@@ -7,7 +7,7 @@
 //! | file | what |
 //! |---|---|
 //! | `args.rs`, `render_args.rs`, `compare_args.rs` | the definition of the command line |
-//! | `values.rs`, `choice.rs`, `structures.rs` | what the options take: numbers, names, structures |
+//! | `values.rs`, `choice.rs`, `structures.rs`, `near.rs` | what options take: numbers, names, structures, with slips |
 //! | `command_line.rs` | the definition with the structures of this program; what was typed |
 //! | `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
 //! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `check.rs`, `diff.rs`, `mesh.rs` | the subcommands |
@@ -42,6 +42,7 @@ mod inventory;
 mod load;
 mod man;
 mod mesh;
+mod near;
 mod options;
 mod output;
 mod progress;

@@ -11,6 +11,7 @@ use super::exit::{CommandResult, Exit, Failure};
 use super::figures::Figures;
 use super::interrupt::Interrupt;
 use super::load::{Loaded, load, print_load_error};
+use super::near::nearest;
 use super::options::{RenderOptions, Stats};
 use super::output::{OutputError, print};
 use super::progress::Progress;
@@ -61,10 +62,7 @@ fn no_such_name(scene: Option<&Path>) -> Option<Failure> {
     if command.find_subcommand(typed).is_some() {
         return None;
     }
-    let distance = |name: &&str| strsim::damerau_levenshtein(typed, name);
-    let names = command.get_subcommands().map(clap::Command::get_name);
-    let near = names.min_by_key(distance).filter(|name| distance(name) <= (typed.len() / 3).max(1));
-    let hint = match near {
+    let hint = match nearest(typed, command.get_subcommands().map(clap::Command::get_name)) {
         Some(near) => format!("did you mean `{near}`?"),
         None => "`srt SCENE OUTPUT` renders, `srt help` lists the subcommands".to_owned(),
     };

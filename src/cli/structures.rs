@@ -9,6 +9,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, Type
 use clap::{Arg, Command};
 
 use super::exit::Failure;
+use super::near::nearest;
 use crate::accel::{Allowed, OptionError};
 use crate::scene::{PEERS, STRUCTURES, Structure};
 
@@ -193,11 +194,7 @@ fn in_words(error: &OptionError) -> String {
         OptionError::Value { value, allowed: Allowed::Words(words), .. } => (value, words),
         _ => ("", &[]),
     };
-    let slips = (typed.chars().count() / 3).max(1);
-    let distance = |known: &&&str| strsim::damerau_levenshtein(typed, known);
-    // What is long resembles none, and would take long to compare.
-    let near = known.iter().filter(|_| typed.len() <= 40).min_by_key(distance);
-    match near.filter(|near| distance(near) <= slips) {
+    match nearest(typed, known.iter().copied()) {
         Some(near) => format!("{error}; did you mean `{near}`?"),
         None => error.to_string(),
     }

@@ -10,6 +10,7 @@ use crate::record::{BlockSample, Round, RoundRule};
 use super::block_sample::{Block, Sample, shares};
 use super::budget::Budget;
 use super::rounds::{Repeat, interleaved};
+use super::trial::affordable;
 
 /// A round may always take this long, even if the budget is spent: a quick structure is not left
 /// out because others were slow.
@@ -24,8 +25,15 @@ pub(super) struct RoundShare {
     /// The time for it.
     pub(super) time: Duration,
     /// The rays for which that suffices; `None` if they are too few.
-    pub(super) sample: Option<Sample>,
-    /// The same for counting what the rays test.
+    pub(super) samples: Option<Samples>,
+}
+
+/// The rays of a task.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Samples {
+    /// Those of each round.
+    pub(super) timed: Sample,
+    /// Those whose tests are counted, once.
     pub(super) counted: Sample,
 }
 
@@ -43,10 +51,13 @@ pub(super) fn round_shares(
     let times = shares(&needs, budget.left() / rounds);
     let share = |(time, ray_time): (Duration, &Duration)| {
         let time = time.max(LEAST_ROUND);
-        let affordable = (time.as_secs_f64() / ray_time.as_secs_f64().max(1e-12)) as usize;
-        let sample = Sample::that_fits(rays, affordable);
+        let affordable = affordable(Some(*ray_time), time);
+        let timed = Sample::that_fits(rays, affordable);
         let counted = Sample::that_fits(rays, affordable.saturating_mul(COUNTED_ROUNDS));
-        RoundShare { time, sample, counted: counted.unwrap_or(Sample::Whole) }
+        RoundShare {
+            time,
+            samples: timed.zip(counted).map(|(timed, counted)| Samples { timed, counted }),
+        }
     };
     times.into_iter().zip(ray_times).map(share).collect()
 }

@@ -13,7 +13,7 @@ use crate::record::{ClassRecord, RayClass, Round};
 use super::block_sample::{Block, Sample};
 use super::budget::Budget;
 use super::candidate::Candidate;
-use super::class_rounds::{RoundShare, class_rounds, round_shares};
+use super::class_rounds::{Samples, class_rounds, round_shares};
 use super::clock::timed;
 use super::context::SceneContext;
 use super::hardware::Hardware;
@@ -47,8 +47,7 @@ pub(super) fn replay_all(
 /// A structure's part in the rounds of a class.
 struct Task {
     candidate: usize,
-    sample: Sample,
-    counted: Sample,
+    samples: Samples,
     results: RayResults,
 }
 
@@ -62,7 +61,7 @@ fn replay(
 ) {
     let seed = seed_of(context.plan.picture.seed, set.class);
     let mut tasks = tasks(context, candidates, set, times, budget);
-    let samples: Vec<Sample> = tasks.iter().map(|task| task.sample).collect();
+    let samples: Vec<Sample> = tasks.iter().map(|task| task.samples.timed).collect();
     let mut hardware = Hardware::of_this_thread();
     let repeat = context.rounds(budget);
     let rounds = class_rounds(&samples, set.rays.len(), seed, &repeat, |task, blocks| {
@@ -100,10 +99,9 @@ fn tasks(
     let shares = round_shares(&times, set.rays.len(), &context.plan.rounds, budget);
     let mut tasks = Vec::new();
     for ((candidate, _), share) in able.into_iter().zip(shares) {
-        let RoundShare { time, sample, counted } = share;
-        match sample {
-            Some(sample) => tasks.push(Task { candidate, sample, counted, results: set.results() }),
-            None => candidates[candidate].mark_too_slow(time),
+        match share.samples {
+            Some(samples) => tasks.push(Task { candidate, samples, results: set.results() }),
+            None => candidates[candidate].mark_too_slow(share.time),
         }
     }
     tasks
@@ -130,7 +128,7 @@ fn run(
 /// Counts what the rays test, and adds the class to the structure's row.
 fn note(candidate: &mut Candidate<'_>, set: &RaySet, task: &Task, seed: u64, rounds: Vec<Round>) {
     let all = set.rays.len();
-    let blocks = task.counted.draw(all, seed, 0);
+    let blocks = task.samples.counted.draw(all, seed, 0);
     let counted = candidate.attempt(|tracer| {
         let (mut results, mut counts, mut hits) = (set.results(), Counts::default(), 0);
         for block in &blocks {
@@ -142,9 +140,9 @@ fn note(candidate: &mut Candidate<'_>, set: &RaySet, task: &Task, seed: u64, rou
     let tests = counted.filter(|_| !candidate.is_peer()).map(|(_, counts)| counts);
     candidate.record.classes.push(ClassRecord {
         class: set.class,
-        rays: task.sample.timed_rays(all) as u64,
-        sample: task.sample.record(all),
-        counted_rays: task.counted.timed_rays(all) as u64,
+        rays: task.samples.timed.timed_rays(all) as u64,
+        sample: task.samples.timed.record(all),
+        counted_rays: task.samples.counted.timed_rays(all) as u64,
         hits: counted.map_or(0, |(hits, _)| hits),
         boxes: tests.map(|counts| counts.boxes),
         primitives: tests.map(|counts| counts.primitives),

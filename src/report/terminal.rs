@@ -107,20 +107,11 @@ fn scene_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
 
 fn rate(own: &StructureFigures, class: RayClass) -> String {
     let rate = own.class(class).and_then(|class| class.million_rays_per_second);
-    or_dash(rate.map(compared))
+    Cell::compared(rate).text
 }
 
 fn speedup(own: &StructureFigures, class: RayClass) -> Option<String> {
-    own.class(class)?.speedup.map(compared)
-}
-
-/// A number that structures are compared by, if its interval is narrow enough for that; where there is none, the number
-/// alone.
-fn compared(estimate: Estimate) -> String {
-    match estimate.interval {
-        Some(_) if !estimate.supports_a_statement() => tables::TOO_WIDE.to_owned(),
-        _ => numbers::value(estimate),
-    }
+    Some(Cell::compared(Some(own.class(class)?.speedup?)).text)
 }
 
 /// In how much the results were compared, or what went wrong.
@@ -135,11 +126,10 @@ fn remark(scene: &SceneRecord, structure: &str, status: &Status) -> String {
         (_, Some(entry)) if !entry.holds() => "DIFFERS".to_owned(),
         (Status::Stopped, _) => "stopped".to_owned(),
         (Status::Ok, Some(_)) if is_only => "reference".to_owned(),
-        (Status::Ok, Some(entry)) if tables::compared_without_difference(entry).is_some() => {
-            let compared = tables::compared_without_difference(entry).unwrap_or_default();
-            format!("no difference in {compared}")
-        }
-        (Status::Ok, _) => peer.map_or_else(|| NOTHING.to_owned(), tables::agreement),
+        (Status::Ok, entry) => match entry.and_then(tables::compared_without_difference) {
+            Some(compared) => format!("no difference in {compared}"),
+            None => peer.map_or_else(|| NOTHING.to_owned(), tables::agreement),
+        },
     }
 }
 

@@ -116,18 +116,23 @@ impl TriangleSet {
         {
             return Err(error);
         }
-        let mut set = Self {
+        let set = Self {
             packs,
             count,
             mean_vertex: mean_vertex(positions, triangles),
             padding: Padding { largest: 0.0, factor: 1.0 },
         };
-        let bounds = set.total_bounds();
+        set.padded()
+    }
+
+    /// With the padding of the box around it; an error if that is out of the range of triangles.
+    fn padded(mut self) -> Result<Self, MeshError> {
+        let bounds = self.total_bounds();
         if let Some(error) = MeshError::of_bounds(&bounds) {
             return Err(error);
         }
-        set.padding = Padding::of_bounds(&bounds);
-        Ok(set)
+        self.padding = Padding::of_bounds(&bounds);
+        Ok(self)
     }
 
     /// How many triangles there are, copies not counted.

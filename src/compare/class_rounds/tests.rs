@@ -66,8 +66,11 @@ fn measure(structures: &[Simulated], budget: Duration, seed: u64) -> SceneRecord
     let ray_times: Vec<Duration> =
         structures.iter().map(|own| Duration::from_nanos(mean(own) as u64)).collect();
     let shares = round_shares(&ray_times, rays, &rule, budget);
-    let tasks: Vec<(usize, Sample)> =
-        shares.iter().enumerate().filter_map(|(i, share)| Some((i, share.sample?))).collect();
+    let tasks: Vec<(usize, Sample)> = shares
+        .iter()
+        .enumerate()
+        .filter_map(|(i, share)| Some((i, share.samples?.timed)))
+        .collect();
     let samples: Vec<Sample> = tasks.iter().map(|task| task.1).collect();
     let mut noise = Random::new(&[seed, 77]);
     let repeat = Repeat::new(rule, budget, &|| false);
@@ -179,6 +182,6 @@ fn a_structure_without_time_for_two_blocks_has_no_part() {
     let times = [Duration::from_millis(50), Duration::from_micros(1)];
     let budget = Budget::by(clock, Duration::from_millis(1_200));
     let shares = round_shares(&times, 40_960, &rule, budget);
-    assert_eq!(shares[0].sample, None, "{shares:?}");
-    assert_eq!(shares[1].sample, Some(Sample::Whole), "{shares:?}");
+    assert!(shares[0].samples.is_none(), "{shares:?}");
+    assert_eq!(shares[1].samples.unwrap().timed, Sample::Whole, "{shares:?}");
 }

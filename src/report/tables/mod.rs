@@ -72,7 +72,7 @@ impl Table {
 }
 
 /// What is shown in place of a number whose interval supports no statement.
-pub(in crate::report) const TOO_WIDE: &str = "too wide";
+const TOO_WIDE: &str = "too wide";
 
 /// What is shown in place of an interval if there were too few rounds.
 fn too_few(estimate: Estimate) -> Option<String> {
@@ -104,7 +104,7 @@ impl Cell {
     }
 
     /// The same of a number that structures are compared by: where its interval is too wide for that, the cell says so.
-    fn compared(estimate: Option<Estimate>) -> Self {
+    pub(in crate::report) fn compared(estimate: Option<Estimate>) -> Self {
         let own = Self::estimate(estimate);
         match estimate {
             Some(wide) if wide.interval.is_some() && !wide.supports_a_statement() => {

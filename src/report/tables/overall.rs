@@ -71,12 +71,13 @@ fn proved(scene: &SceneRecord, name: &str) -> Cell {
     let Some((proof, entry)) = entry else {
         return if failed { Cell::text("failed") } else { Cell::nothing() };
     };
-    let text = match compared_without_difference(entry) {
+    let compared = compared_without_difference(entry);
+    let text = match compared {
         _ if !entry.holds() => "DIFFERS",
         _ if failed => "failed",
         _ if proof.reference == name => "the reference",
         Some(_) => "no difference",
         None => return Cell::nothing(),
     };
-    Cell { text: text.to_owned(), spread: compared_without_difference(entry) }
+    Cell { text: text.to_owned(), spread: compared }
 }

@@ -6,9 +6,9 @@ use glam::Vec3A;
 
 use crate::accel::{Decoder, Encoder, LoadError, PACK, PortablePrimitives};
 use crate::math::Padding;
-use crate::shapes::{MeshError, Triangle};
+use crate::shapes::Triangle;
 
-use super::{Bounded, TriangleSet, pack};
+use super::{TriangleSet, pack};
 
 impl PortablePrimitives for TriangleSet {
     const NAME: &'static str = "triangles";
@@ -44,12 +44,7 @@ impl PortablePrimitives for TriangleSet {
         })?;
         let packs = pack(triangles.len(), |slot| Some((*triangles.get(slot)?, slot as u32)));
         let padding = Padding { largest: 0.0, factor: 1.0 };
-        let mut set = Self { packs, count, mean_vertex, padding };
-        let bounds = set.total_bounds();
-        if let Some(error) = MeshError::of_bounds(&bounds) {
-            return Err(LoadError::invalid(error.to_string()));
-        }
-        set.padding = Padding::of_bounds(&bounds);
-        Ok(set)
+        let set = Self { packs, count, mean_vertex, padding };
+        set.padded().map_err(|error| LoadError::invalid(error.to_string()))
     }
 }
