@@ -94,14 +94,25 @@ pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> Cl
 
 /// The own time per ray of a class in nanoseconds, for each round.
 pub(super) fn ray_times(class: &ClassRecord) -> Rounds {
-    own_ns_per_ray(&class.rounds, class.rays, class.sample)
+    own_ns_per_ray(&class.rounds, class.rays, class.sample, &class.passes)
 }
 
 /// The own time per ray in nanoseconds, for each round; empty if a round has no rays.
-pub(super) fn own_ns_per_ray(rounds: &[Round], rays: u64, sample: Option<BlockSample>) -> Rounds {
+pub(super) fn own_ns_per_ray(
+    rounds: &[Round],
+    rays: u64,
+    sample: Option<BlockSample>,
+    passes: &[u64],
+) -> Rounds {
     let rounds = if rays == 0 { &[] } else { rounds };
     let per_ray = |round: &Round| round.own_ns() as f64 / rays as f64;
-    Rounds { values: rounds.iter().map(per_ray).collect(), center: center(sample) }
+    replicates(rounds.iter().map(per_ray).collect(), sample, passes)
+}
+
+/// The rounds of a class with some value in each.
+fn replicates(values: Vec<f64>, sample: Option<BlockSample>, passes: &[u64]) -> Rounds {
+    let passes = passes.iter().map(|&rounds| usize::try_from(rounds).unwrap_or(usize::MAX));
+    Rounds { values, center: center(sample), passes: passes.collect() }
 }
 
 /// What of the rounds is the estimate for all recorded rays.
@@ -142,7 +153,7 @@ fn counted(
 /// The estimate of something that is known of every round.
 fn estimate_of(class: &ClassRecord, value: impl Fn(&Round) -> Option<f64>) -> Option<Estimate> {
     let values: Option<Vec<f64>> = class.rounds.iter().map(value).collect();
-    Rounds { values: values?, center: center(class.sample) }.estimate()
+    replicates(values?, class.sample, &class.passes).estimate()
 }
 
 /// `None` instead of infinity or NaN.
@@ -164,6 +175,7 @@ mod tests {
             boxes: Some(rays * 3),
             primitives: None,
             rounds: rounds(wall_ns),
+            passes: Vec::new(),
         }
     }
 

@@ -140,6 +140,7 @@ mod tests {
                 boxes: None,
                 primitives: None,
                 rounds: ns.iter().map(|&wall_ns| Round { wall_ns, ..Round::default() }).collect(),
+                passes: Vec::new(),
             }],
             ..StructureRecord::default()
         };

@@ -84,7 +84,8 @@ impl SweepFigures {
 }
 
 fn value(point: &SweepPoint) -> Option<SweepValue> {
-    let ns_per_ray = own_ns_per_ray(&point.rounds, point.rays, point.sample).estimate()?;
+    let ns_per_ray =
+        own_ns_per_ray(&point.rounds, point.rays, point.sample, &point.passes).estimate()?;
     Some(SweepValue { triangles: point.triangles, ns_per_ray, slope: None })
 }
 

@@ -81,6 +81,14 @@ impl Sample {
         }
     }
 
+    /// How many rays of `rays` a round traces, those that warm up included.
+    pub(super) fn traced_rays(self, rays: usize) -> usize {
+        match self {
+            Self::Whole => rays,
+            Self::Blocks { .. } => COST * self.timed_rays(rays),
+        }
+    }
+
     /// The blocks of a round, in the order of the rays.
     pub(super) fn draw(self, rays: usize, seed: u64, round: usize) -> Vec<Block> {
         match self {

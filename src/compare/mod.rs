@@ -17,7 +17,7 @@
 //! | `record_rays.rs`, `extra_rays.rs`, `trace.rs` | the same rays for all, and their results |
 //! | `proof.rs`, `agreement.rs` | whether results are equal, or a peer's close |
 //! | `rounds.rs`, `clock.rs`, `hardware.rs` | how something is timed and counted |
-//! | `trial.rs`, `block_sample.rs`, `class_rounds.rs`, `replay.rs` | which rays are timed, and how often |
+//! | `trial.rs`, `block_sample.rs`, `class_rounds.rs`, `passes.rs`, `replay.rs` | which rays are timed, and how often |
 //! | `render_picture.rs`, `picture_size.rs`, `picture_file.rs` | pictures |
 //! | `sweep.rs` | growth with the number of triangles |
 //! | `sampling_study/` | what random numbers and shuffling cost, and how much noise they leave |
@@ -74,6 +74,7 @@ mod machine;
 pub mod measure;
 mod observer;
 mod panics;
+mod passes;
 mod picture_file;
 mod picture_size;
 mod plan;

@@ -1,4 +1,4 @@
-//! The recorded rays of a class through all structures, in interleaved rounds on one thread.
+//! The recorded rays of all classes through all structures, in passes of interleaved rounds on one thread.
 //!
 //! A structure that would take too long for all rays in every round traces a sample of them, drawn anew for each
 //! (`block_sample.rs`). One that has no time for even two small blocks is left out of the class, and its row notes
@@ -13,98 +13,178 @@ use crate::record::{ClassRecord, RayClass, Round};
 use super::block_sample::{Block, Sample};
 use super::budget::Budget;
 use super::candidate::Candidate;
-use super::class_rounds::{Samples, class_rounds, round_shares};
+use super::class_rounds::{ClassRounds, LEAST_PASSES, Samples, Work, round_shares};
 use super::clock::timed;
 use super::context::SceneContext;
 use super::hardware::Hardware;
+use super::passes::{Measured, Passes, affordable_builds};
 use super::record_rays::RaySet;
 use super::trace::{RayResults, trace};
 use super::trial::RayTimes;
 
-/// Measures the classes of the plan; each structure's row gets them. `times` are the structures'
-/// trials with all sets. `false` if it was cancelled before the last class.
+/// Measures the classes of the plan; each structure's row gets them. `times` are the structures' trials with all sets.
 pub(super) fn replay_all(
     context: &SceneContext<'_>,
     candidates: &mut [Candidate<'_>],
     sets: &[RaySet],
     times: &[RayTimes],
     budget: Budget,
-) -> bool {
-    let classes = &context.plan.classes;
-    let wanted: Vec<usize> =
-        (0..sets.len()).filter(|&i| classes.contains(&sets[i].class)).collect();
-    for (done, &index) in wanted.iter().enumerate() {
-        if (context.cancelled)() {
-            return false;
-        }
-        let times: RayTimes = times.iter().map(|times| times[index]).collect();
-        let share = budget.share(1.0 / (wanted.len() - done) as f64);
-        replay(context, candidates, &sets[index], &times, share);
+) -> Replayed {
+    let wanted = (0..sets.len()).filter(|&i| context.plan.classes.contains(&sets[i].class));
+    let works: Vec<Planned> =
+        wanted.flat_map(|set| works_of(candidates, sets, times, set)).collect();
+    let builds = candidates.iter().filter_map(Candidate::build_report).map(|report| report.time);
+    let build_time = affordable_builds(builds.sum(), budget);
+    let for_builds = build_time.unwrap_or_default() * (LEAST_PASSES - 1);
+    let time = budget.left().saturating_sub(for_builds);
+    let tasks = tasks(context, candidates, sets, works, time);
+    let mut classes: Vec<ClassRounds> =
+        tasks.iter().map(|class| class.rounds(sets, context.plan.picture.seed)).collect();
+    let passes = Passes {
+        rule: context.plan.rounds.clone(),
+        budget,
+        cancelled: context.cancelled,
+        build_time,
+    };
+    let hardware = Hardware::of_this_thread();
+    let mut replay = Replay { context, candidates, sets, classes: tasks, hardware };
+    let whole = passes.run(&mut classes, &mut replay);
+    let Replay { candidates, classes: tasks, .. } = replay;
+    for (class, rounds) in tasks.iter().zip(classes) {
+        class.note(candidates, sets, context.plan.picture.seed, rounds);
     }
-    true
+    Replayed { whole, built_anew: build_time.is_some() }
+}
+
+/// How the measurement of rays ended.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Replayed {
+    /// Whether it was not cancelled before its end.
+    pub(super) whole: bool,
+    /// Whether structures were built anew for each pass.
+    pub(super) built_anew: bool,
+}
+
+/// All rays of a set with a structure.
+struct Planned {
+    set: usize,
+    candidate: usize,
+    work: Work,
+}
+
+/// The works of the structures that can trace a set.
+fn works_of(
+    candidates: &[Candidate<'_>],
+    sets: &[RaySet],
+    times: &[RayTimes],
+    set: usize,
+) -> Vec<Planned> {
+    let work = |(candidate, times): (usize, &RayTimes)| {
+        let work = Work { ray_time: times[set]?, rays: sets[set].rays.len() };
+        candidates[candidate].can_trace().then_some(Planned { set, candidate, work })
+    };
+    times.iter().enumerate().filter_map(work).collect()
+}
+
+/// A class of rays and the structures that have time for it.
+struct Class {
+    set: usize,
+    tasks: Vec<Task>,
 }
 
 /// A structure's part in the rounds of a class.
 struct Task {
     candidate: usize,
+    ray_time: Duration,
     samples: Samples,
     results: RayResults,
 }
 
-/// Measures one class. `times` are the times of a ray of it, of each structure.
-fn replay(
+/// The structures that have time for each class, with as many rays as they have time for.
+fn tasks(
     context: &SceneContext<'_>,
     candidates: &mut [Candidate<'_>],
-    set: &RaySet,
-    times: &[Option<Duration>],
-    budget: Budget,
-) {
-    let seed = seed_of(context.plan.picture.seed, set.class);
-    let mut tasks = tasks(context, candidates, set, times, budget);
-    let samples: Vec<Sample> = tasks.iter().map(|task| task.samples.timed).collect();
-    let mut hardware = Hardware::of_this_thread();
-    let repeat = context.rounds(budget);
-    let rounds = class_rounds(&samples, set.rays.len(), seed, &repeat, |task, blocks| {
-        let Task { candidate, results, .. } = &mut tasks[task];
-        let candidate = &mut candidates[*candidate];
-        candidate.attempt(|tracer| run(tracer, set, blocks, results, &mut hardware))
-    });
-    for (task, rounds) in tasks.into_iter().zip(rounds) {
-        if !rounds.is_empty() {
-            note(&mut candidates[task.candidate], set, &task, seed, rounds);
+    sets: &[RaySet],
+    planned: Vec<Planned>,
+    time: Duration,
+) -> Vec<Class> {
+    let works: Vec<Work> = planned.iter().map(|planned| planned.work).collect();
+    let shares = round_shares(&works, &context.plan.rounds, time);
+    let mut classes: Vec<Class> = Vec::new();
+    for (Planned { set, candidate, work }, share) in planned.into_iter().zip(shares) {
+        if classes.last().is_none_or(|class| class.set != set) {
+            classes.push(Class { set, tasks: Vec::new() });
         }
+        match (share.samples, classes.last_mut()) {
+            (Some(samples), Some(class)) => class.tasks.push(Task {
+                candidate,
+                ray_time: work.ray_time,
+                samples,
+                results: sets[set].results(),
+            }),
+            _ => candidates[candidate].mark_too_slow(share.time),
+        }
+    }
+    classes
+}
+
+impl Class {
+    /// Its rounds, before the first.
+    fn rounds(&self, sets: &[RaySet], seed: u64) -> ClassRounds {
+        let set = &sets[self.set];
+        let tasks: Vec<(Sample, Duration)> =
+            self.tasks.iter().map(|task| (task.samples.timed, task.ray_time)).collect();
+        ClassRounds::new(set.rays.len(), seed_of(seed, set.class), &tasks)
+    }
+
+    /// Counts what the rays test, and adds the class to the rows of its structures.
+    fn note(
+        &self,
+        candidates: &mut [Candidate<'_>],
+        sets: &[RaySet],
+        seed: u64,
+        measured: ClassRounds,
+    ) {
+        let set = &sets[self.set];
+        let passes: Vec<u64> = measured.passes.iter().map(|&rounds| rounds as u64).collect();
+        for (task, rounds) in self.tasks.iter().zip(measured.rounds) {
+            if !rounds.is_empty() {
+                let candidate = &mut candidates[task.candidate];
+                note(candidate, set, task, seed_of(seed, set.class), rounds, passes.clone());
+            }
+        }
+    }
+}
+
+/// The structures and their rays, as passes measure them.
+struct Replay<'a, 'b> {
+    context: &'a SceneContext<'a>,
+    candidates: &'a mut [Candidate<'b>],
+    sets: &'a [RaySet],
+    classes: Vec<Class>,
+    hardware: Hardware,
+}
+
+impl Measured for Replay<'_, '_> {
+    fn build_anew(&mut self) {
+        let SceneContext { scene, plan, pools, .. } = self.context;
+        for candidate in self.candidates.iter_mut().filter(|candidate| candidate.can_trace()) {
+            pools.all.install(|| candidate.build(scene, &plan.build));
+        }
+    }
+
+    fn trace(&mut self, class: usize, task: usize, blocks: &[Block]) -> Option<Round> {
+        let Class { set, tasks } = &mut self.classes[class];
+        let Task { candidate, results, .. } = &mut tasks[task];
+        let (set, hardware) = (&self.sets[*set], &mut self.hardware);
+        let candidate = &mut self.candidates[*candidate];
+        candidate.attempt(|tracer| run(tracer, set, blocks, results, hardware))
     }
 }
 
 /// The same blocks for all structures and in every run, others for each class.
 fn seed_of(seed: u64, class: RayClass) -> u64 {
     seed ^ (class as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)
-}
-
-/// The structures that have time for the class, with as many rays as they have time for.
-fn tasks(
-    context: &SceneContext<'_>,
-    candidates: &mut [Candidate<'_>],
-    set: &RaySet,
-    times: &[Option<Duration>],
-    budget: Budget,
-) -> Vec<Task> {
-    let able: Vec<(usize, Duration)> = candidates
-        .iter()
-        .zip(times)
-        .enumerate()
-        .filter_map(|(index, (candidate, time))| candidate.can_trace().then_some((index, (*time)?)))
-        .collect();
-    let times: Vec<Duration> = able.iter().map(|&(_, time)| time).collect();
-    let shares = round_shares(&times, set.rays.len(), &context.plan.rounds, budget);
-    let mut tasks = Vec::new();
-    for ((candidate, _), share) in able.into_iter().zip(shares) {
-        match share.samples {
-            Some(samples) => tasks.push(Task { candidate, samples, results: set.results() }),
-            None => candidates[candidate].mark_too_slow(share.time),
-        }
-    }
-    tasks
 }
 
 /// Traces the blocks of a round: what warms up is neither timed nor counted.
@@ -126,7 +206,14 @@ fn run(
 }
 
 /// Counts what the rays test, and adds the class to the structure's row.
-fn note(candidate: &mut Candidate<'_>, set: &RaySet, task: &Task, seed: u64, rounds: Vec<Round>) {
+fn note(
+    candidate: &mut Candidate<'_>,
+    set: &RaySet,
+    task: &Task,
+    seed: u64,
+    rounds: Vec<Round>,
+    passes: Vec<u64>,
+) {
     let all = set.rays.len();
     let blocks = task.samples.counted.draw(all, seed, 0);
     let counted = candidate.attempt(|tracer| {
@@ -147,5 +234,6 @@ fn note(candidate: &mut Candidate<'_>, set: &RaySet, task: &Task, seed: u64, rou
         boxes: tests.map(|counts| counts.boxes),
         primitives: tests.map(|counts| counts.primitives),
         rounds,
+        passes,
     });
 }

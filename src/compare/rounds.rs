@@ -3,13 +3,13 @@
 //! Round n of one task runs beside round n of every other, and each round begins with another
 //! task. Knows nothing of rays or structures: a task is a number.
 
-use crate::analysis::statistics::{Center, Rounds};
+use crate::analysis::statistics::estimate;
 use crate::record::RoundRule;
 
 use super::budget::Budget;
 
 /// Rounds after which more of them add too little.
-const MOST_ROUNDS: usize = 400;
+pub(super) const MOST_ROUNDS: usize = 400;
 
 /// The intervals are computed after every so many rounds, because that takes time too.
 const CHECK_EVERY: usize = 5;
@@ -23,14 +23,12 @@ pub(super) struct Repeat<'a> {
     pub(super) budget: Budget,
     /// Whether to stop at once.
     pub(super) cancelled: &'a dyn Fn() -> bool,
-    /// What of a task's rounds is its estimate; the median for tasks beyond the end.
-    pub(super) centers: &'a [Center],
 }
 
 impl<'a> Repeat<'a> {
     /// Rounds by a rule, while the budget lasts.
     pub(super) fn new(rule: RoundRule, budget: Budget, cancelled: &'a dyn Fn() -> bool) -> Self {
-        Self { rule, at_most: MOST_ROUNDS, budget, cancelled, centers: &[] }
+        Self { rule, at_most: MOST_ROUNDS, budget, cancelled }
     }
 }
 
@@ -62,9 +60,7 @@ pub(super) fn interleaved<R>(
     mut run: impl FnMut(usize, usize) -> Option<(R, u64)>,
 ) -> Vec<Vec<R>> {
     let mut rounds: Vec<Vec<R>> = (0..tasks).map(|_| Vec::new()).collect();
-    let center = |task| repeat.centers.get(task).copied().unwrap_or(Center::Median);
-    let no_rounds = |task| Rounds { values: Vec::new(), center: center(task) };
-    let mut times: Vec<Rounds> = (0..tasks).map(no_rounds).collect();
+    let mut times: Vec<Vec<f64>> = vec![Vec::new(); tasks];
     let mut ended: Vec<bool> = vec![false; tasks];
     let warmup = repeat.rule.warmup as usize;
     for number in 0.. {
@@ -91,7 +87,7 @@ pub(super) fn interleaved<R>(
             for (task, result) in round.into_iter().enumerate() {
                 if let Some((round, time)) = result {
                     rounds[task].push(round);
-                    times[task].values.push(time as f64);
+                    times[task].push(time as f64);
                 }
             }
         }
@@ -99,14 +95,14 @@ pub(super) fn interleaved<R>(
     rounds
 }
 
-/// Whether there are enough rounds, and the interval of every task's estimate is narrow enough.
-fn is_enough(repeat: &Repeat<'_>, kept: usize, times: &[Rounds], ended: &[bool]) -> bool {
+/// Whether there are enough rounds, and the interval of every task's median is narrow enough.
+fn is_enough(repeat: &Repeat<'_>, kept: usize, times: &[Vec<f64>], ended: &[bool]) -> bool {
     let rule = &repeat.rule;
     if kept < rule.at_least as usize {
         return false;
     }
-    let narrow = |times: &Rounds| {
-        let width = times.estimate().and_then(|estimate| estimate.relative_half_width());
+    let narrow = |times: &[f64]| {
+        let width = estimate(times).and_then(|estimate| estimate.relative_half_width());
         width.is_some_and(|width| width <= rule.relative_interval)
     };
     let tasks = || times.iter().zip(ended).filter(|(_, ended)| !**ended);

@@ -94,7 +94,9 @@ fn take_steps(
     begin("timing builds")?;
     build_times::measure(context, candidates, budget.share(0.25));
     begin("timing rays")?;
-    replay_all(context, candidates, &rays.sets, &rays.times, budget).then_some(())
+    let replayed = replay_all(context, candidates, &rays.sets, &rays.times, budget);
+    result.record.built_anew = replayed.built_anew;
+    replayed.whole.then_some(())
 }
 
 impl SceneResult {

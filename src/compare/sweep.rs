@@ -90,7 +90,7 @@ fn measure<'a>(
     }
     let times: Vec<RayTimes> = candidates.iter_mut().map(|own| ray_times(own, &sets)).collect();
     *rays_checked += compare_hits(&mut candidates, &sets, &times, budget);
-    if !replay_all(context, &mut candidates, &sets, &times, budget) {
+    if !replay_all(context, &mut candidates, &sets, &times, budget).whole {
         candidates.iter_mut().for_each(Candidate::mark_stopped);
     }
     candidates
@@ -140,6 +140,7 @@ fn note(record: &mut Sweep, candidate: &Candidate<'_>, triangles: u64) -> bool {
             rays: class.rays,
             sample: class.sample,
             rounds: class.rounds.clone(),
+            passes: class.passes.clone(),
             build_ns: nanoseconds(report.time),
             index_bytes: report.objects.bytes + report.meshes.bytes,
         });

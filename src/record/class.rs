@@ -26,6 +26,11 @@ pub struct ClassRecord {
     /// The rounds, in the order of measurement. Rounds are interleaved: round n of all structures was measured
     /// together, so ratios are taken between rounds of the same number.
     pub rounds: Vec<Round>,
+    /// How many rounds each pass over all classes had, in their order; empty in older records, whose rounds of a class
+    /// followed each other. Passes are apart in time, and structures may have been built anew for each: so the passes,
+    /// not the rounds, are the independent replicates.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub passes: Vec<u64>,
 }
 
 /// A stratified random sample of blocks of consecutive rays, drawn anew for each round: the recorded rays are divided

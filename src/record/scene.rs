@@ -28,6 +28,10 @@ pub struct SceneRecord {
     pub proof: Option<Proof>,
     /// The colour scale of all heatmaps of this scene.
     pub heat_scale: Option<HeatScale>,
+    /// Whether the structures were built anew for each pass over the rays, so that intervals include the effect of
+    /// their place in memory; false in older records, and where builds take too long.
+    #[serde(default)]
+    pub built_anew: bool,
     /// The structures, in the order in which they were named.
     pub structures: Vec<StructureRecord>,
 }

@@ -35,6 +35,9 @@ pub struct SweepPoint {
     pub sample: Option<BlockSample>,
     /// The rounds, interleaved as in [`ClassRecord`](super::ClassRecord).
     pub rounds: Vec<Round>,
+    /// How many rounds each pass had, as in [`ClassRecord`](super::ClassRecord).
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub passes: Vec<u64>,
     /// Wall time of the structure's build on all threads, in nanoseconds.
     pub build_ns: u64,
     /// Bytes of the index.

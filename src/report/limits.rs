@@ -11,13 +11,15 @@ const ALWAYS: [&str; 8] = [
     "Rays were recorded once for each class and replayed to every structure in interleaved rounds. \
      So ratios do not include what slows all structures alike. A replay only traces: it does not \
      shade or make new rays, and its caches are warm.",
-    "Where each round traced all recorded rays, the estimate is the median, with its exact 95 % \
-     interval by order statistics. Where each round traced a random sample, it is the mean, with \
-     Student's interval of its logarithm over the rounds: it includes the choice of the rays. \
-     Intervals of changes against a baseline are bootstrap intervals, or of such means. They show \
-     the noise of this run, not the effect of another build, memory layout or machine.",
-    "Intervals assume independent rounds, but consecutive rounds are not quite independent. Rounds \
-     end once intervals are narrow. Both make intervals a little too narrow.",
+    "Where each round traced all recorded rays, the estimate is the median; where each round traced a \
+     random sample, it is the mean, and its interval includes the choice of the rays. Intervals are \
+     Student's, of the logarithm, from the differences between passes: pieces of the measurement that \
+     are apart in time, for each of which the structures were built anew. So they include what the \
+     place in memory and the minutes of this run do, not the effect of another build of the program \
+     or of another machine.",
+    "Intervals of builds and pictures are exact intervals of medians by order statistics. They assume \
+     independent rounds, but consecutive rounds are not quite independent, and rounds end once \
+     intervals are narrow: both make them a little too narrow.",
     "Times of rays are wall times without waiting for a processor that other programs used. All \
      rounds count. The effects of other programs on caches, memory and clock rate are still \
      included. Times of builds and pictures are wall times.",
@@ -96,7 +98,21 @@ fn round_limits(comparison: &Comparison, analysis: &Analysis) -> Vec<String> {
         "have a wider interval than the target",
     ];
     let some = counts.into_iter().zip(what).filter(|(n, _)| *n > 0);
-    some.map(|(n, what)| format!("{n} of {} measurements of rays {what}.", classes.len())).collect()
+    let own =
+        some.map(|(n, what)| format!("{n} of {} measurements of rays {what}.", classes.len()));
+    own.chain(not_built_anew(comparison)).collect()
+}
+
+/// The scenes whose intervals do not include the place in memory.
+fn not_built_anew(comparison: &Comparison) -> Option<String> {
+    let scenes = comparison.scenes.iter().filter(|scene| !scene.built_anew);
+    let names: Vec<&str> = scenes.map(|scene| scene.name.as_str()).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "Structures were not built anew for each pass, since that takes too long: {}.",
+            names.join(", ")
+        )
+    })
 }
 
 /// What weakens the verdict of this record, in a sentence to stand beside it; `None` if nothing does.

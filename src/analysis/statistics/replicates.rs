@@ -7,6 +7,12 @@
 //! independent random groups (K. M. Wolter: *Introduction to Variance Estimation*, 2nd edition, 2007, chapter 2), each
 //! of them a stratified random sample (W. G. Cochran: *Sampling Techniques*, 3rd edition, 1977, chapter 5).
 //!
+//! Rounds that follow each other are not independent: they share the clock rate and the neighbours of that moment, and
+//! the place in memory where a structure was built. So rounds come in passes, apart in time and each with structures
+//! built anew, and where there are passes, these are the replicates: an interval comes from the differences between
+//! them, as T. Kalibera and R. Jones advise (*Rigorous benchmarking in reasonable time*, ISMM 2013) for levels of
+//! repetition.
+//!
 //! A ratio is that of two such estimates. Its interval is the textbook's for a ratio estimator (Cochran, chapter 6):
 //! Student's, from the residues of rounds of the same number, whose common part cancels. It is taken for the logarithm,
 //! since a time cannot be negative.
@@ -15,8 +21,8 @@ use super::estimate::{all_finite, estimate, median};
 use super::ratio::{paired_ratio, unpaired_ratio};
 use crate::record::{Estimate, Interval};
 
-/// The least number of rounds from which a mean gets an interval: the spread of three values is itself hardly known.
-const LEAST_ROUNDS: usize = 4;
+/// The least number of replicates from which an interval is made: the spread of three values is itself hardly known.
+const LEAST_REPLICATES: usize = 4;
 
 /// What of the rounds is the estimate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +40,9 @@ pub struct Rounds {
     pub values: Vec<f64>,
     /// What of them is the estimate.
     pub center: Center,
+    /// How many of the values each pass has, in their order. Empty if they were measured without passes: each is a
+    /// replicate then.
+    pub passes: Vec<usize>,
 }
 
 impl Rounds {
@@ -49,13 +58,48 @@ impl Rounds {
     /// The value and its interval. `None` without values, or if one is not finite.
     #[must_use]
     pub fn estimate(&self) -> Option<Estimate> {
-        if self.center == Center::Median {
+        if self.is_plain() {
             return estimate(&self.values);
         }
         let value = self.value()?;
         let residues: Vec<f64> = self.values.iter().map(|own| own / value - 1.0).collect();
-        Some(with_student_interval(value, &residues))
+        Some(self.with_student_interval(value, &residues, self.center))
     }
+
+    /// Whether each round is a replicate of everything: then there is an exact interval of the median.
+    fn is_plain(&self) -> bool {
+        self.center == Center::Median && self.passes.is_empty()
+    }
+
+    /// A value with Student's interval of its logarithm. `residues` are the relative errors of the rounds; those of a
+    /// pass are one error, their median or mean.
+    fn with_student_interval(&self, value: f64, residues: &[f64], center: Center) -> Estimate {
+        let rounds = residues.len();
+        let replicates = match self.passes.as_slice() {
+            [] => residues.to_vec(),
+            passes => errors_of_passes(residues, passes, center),
+        };
+        let reach = standard_error(&replicates)
+            .map(|error| (student_quantile(replicates.len() - 1) * error).exp());
+        let interval = reach
+            .filter(|reach| reach.is_finite() && value.is_finite())
+            .map(|reach| Interval { low: value / reach, high: value * reach });
+        Estimate { value, interval, rounds }
+    }
+}
+
+/// The error of each pass. Rounds beyond the residues are left out, as are passes without any.
+fn errors_of_passes(residues: &[f64], passes: &[usize], center: Center) -> Vec<f64> {
+    let mut left = residues;
+    let mut error = |&rounds: &usize| {
+        let (own, rest) = left.split_at(rounds.min(left.len()));
+        left = rest;
+        match center {
+            Center::Median => median(own),
+            Center::Mean => mean(own),
+        }
+    };
+    passes.iter().filter_map(&mut error).collect()
 }
 
 /// How many times as fast as the base: the base's estimate over the own one, for rounds that were interleaved.
@@ -64,20 +108,25 @@ impl Rounds {
 /// or if the ratio is not finite.
 #[must_use]
 pub fn ratio_of_estimates(base: &Rounds, own: &Rounds) -> Option<Estimate> {
+    let values = || base.values.iter().zip(&own.values);
     if base.center == Center::Median && own.center == Center::Median {
-        return paired_ratio(&base.values, &own.values);
+        let plain = paired_ratio(&base.values, &own.values)?;
+        if own.is_plain() {
+            return Some(plain);
+        }
+        let residues: Vec<f64> = values().map(|(b, o)| b / o / plain.value - 1.0).collect();
+        return Some(own.with_student_interval(plain.value, &residues, Center::Median));
     }
     let (base_value, own_value) = (base.value()?, own.value()?);
     let ratio = base_value / own_value;
-    let residue = |(b, o): (&f64, &f64)| b / base_value - o / own_value;
-    let residues: Vec<f64> = base.values.iter().zip(&own.values).map(residue).collect();
-    ratio.is_finite().then(|| with_student_interval(ratio, &residues))
+    let residues: Vec<f64> = values().map(|(b, o)| b / base_value - o / own_value).collect();
+    ratio.is_finite().then(|| own.with_student_interval(ratio, &residues, Center::Mean))
 }
 
 /// The same for rounds that were not interleaved, such as those of two runs.
 #[must_use]
 pub fn unpaired_ratio_of_estimates(base: &Rounds, own: &Rounds) -> Option<Estimate> {
-    if base.center == Center::Median && own.center == Center::Median {
+    if base.is_plain() && own.is_plain() {
         return unpaired_ratio(&base.values, &own.values);
     }
     let (base, own) = (base.estimate()?, own.estimate()?);
@@ -93,19 +142,9 @@ pub fn unpaired_ratio_of_estimates(base: &Rounds, own: &Rounds) -> Option<Estima
     value.is_finite().then_some(Estimate { value, interval, rounds: base.rounds.min(own.rounds) })
 }
 
-/// A value whose relative error is the mean of the residues, with Student's interval of its logarithm.
-fn with_student_interval(value: f64, residues: &[f64]) -> Estimate {
-    let rounds = residues.len();
-    let reach = standard_error(residues).map(|error| (student_quantile(rounds - 1) * error).exp());
-    let interval = reach
-        .filter(|reach| reach.is_finite() && value.is_finite())
-        .map(|reach| Interval { low: value / reach, high: value * reach });
-    Estimate { value, interval, rounds }
-}
-
 /// The standard error of the mean of some values; `None` for too few.
 fn standard_error(values: &[f64]) -> Option<f64> {
-    let mean = mean(values).filter(|_| values.len() >= LEAST_ROUNDS)?;
+    let mean = mean(values).filter(|_| values.len() >= LEAST_REPLICATES)?;
     let n = values.len() as f64;
     let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
     Some((squares / (n - 1.0) / n).sqrt())
@@ -139,11 +178,11 @@ mod tests {
     use crate::math::Random;
 
     fn means(values: &[f64]) -> Rounds {
-        Rounds { values: values.to_vec(), center: Center::Mean }
+        Rounds { values: values.to_vec(), center: Center::Mean, passes: Vec::new() }
     }
 
     fn medians(values: &[f64]) -> Rounds {
-        Rounds { values: values.to_vec(), center: Center::Median }
+        Rounds { values: values.to_vec(), center: Center::Median, passes: Vec::new() }
     }
 
     #[test]
@@ -186,6 +225,33 @@ mod tests {
         assert_eq!(ratio_of_estimates(&means(&[]), &medians(&[1.0; 4])), None);
     }
 
+    #[test]
+    fn what_a_pass_shares_widens_the_interval_though_its_rounds_agree() {
+        let values: Vec<f64> = [1.0, 1.2, 0.9, 1.1, 1.0].into_iter().flat_map(|v| [v; 4]).collect();
+        for center in [Center::Median, Center::Mean] {
+            let rounds = Rounds { values: values.clone(), center, passes: vec![4; 5] };
+            let apart = Rounds { passes: Vec::new(), ..rounds.clone() };
+            let width = |rounds: &Rounds| {
+                let estimate = rounds.estimate().unwrap();
+                assert!((estimate.value - 1.02).abs() < 0.03 && estimate.rounds == 20);
+                estimate.relative_half_width().unwrap()
+            };
+            assert!((0.13..0.17).contains(&width(&rounds)), "{}", width(&rounds));
+            assert!(width(&apart) < 0.11, "{}", width(&apart));
+            // Two passes are too few, however many rounds they have.
+            let few = Rounds { passes: vec![10, 10], ..rounds.clone() };
+            assert_eq!(few.estimate().unwrap().interval, None);
+            // What both share cancels in the ratio.
+            let twice =
+                Rounds { values: values.iter().map(|v| 2.0 * v).collect(), ..rounds.clone() };
+            let ratio = ratio_of_estimates(&twice, &rounds).unwrap();
+            assert!((ratio.value - 2.0).abs() < 1e-12, "{ratio:?}");
+            assert!(ratio.relative_half_width().unwrap() < 1e-12, "{ratio:?}");
+            let unpaired = unpaired_ratio_of_estimates(&twice, &rounds).unwrap();
+            assert!(unpaired.relative_half_width().unwrap() > 0.15, "{unpaired:?}");
+        }
+    }
+
     /// Of 95 % intervals about nineteen in twenty contain the truth, for costs as skewed as those of rays.
     #[test]
     fn intervals_cover_the_truth_as_often_as_they_claim() {
@@ -200,5 +266,31 @@ mod tests {
             covered += usize::from(interval.low <= 1.0 && 1.0 <= interval.high);
         }
         assert!((930..=970).contains(&covered), "{covered} of 1000");
+    }
+
+    /// What rounds of a pass share, such as a place in memory, is not to be told from four rounds of five passes taken
+    /// as twenty; from the passes it is.
+    #[test]
+    fn passes_cover_the_truth_where_rounds_as_replicates_do_not() {
+        let mut random = Random::new(&[6]);
+        let (mut by_passes, mut by_rounds) = (0, 0);
+        for _ in 0..1_000 {
+            let mut error = |reach: f64| reach * (2.0 * f64::from(random.next_f32()) - 1.0);
+            let mut values = Vec::new();
+            for _ in 0..5 {
+                let shared = error(0.05);
+                values.extend((0..4).map(|_| 1.0 + shared + error(0.01)));
+            }
+            let rounds = Rounds { values, center: Center::Mean, passes: vec![4; 5] };
+            let apart = Rounds { passes: Vec::new(), ..rounds.clone() };
+            let covers = |rounds: &Rounds| {
+                let interval = rounds.estimate().unwrap().interval.unwrap();
+                usize::from(interval.low <= 1.0 && 1.0 <= interval.high)
+            };
+            by_passes += covers(&rounds);
+            by_rounds += covers(&apart);
+        }
+        assert!((930..=975).contains(&by_passes), "{by_passes} of 1000");
+        assert!(by_rounds < 800, "{by_rounds} of 1000");
     }
 }

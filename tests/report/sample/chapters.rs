@@ -30,6 +30,7 @@ pub(super) fn sweep() -> Sweep {
                         of_rays: 100_352,
                     }),
                     rounds: rounds(ns * 65_536.0, 10, (s * 10 + i) as u64),
+                    passes: vec![2; 5],
                     build_ns: triangles * 300,
                     index_bytes: triangles * 64,
                 });

@@ -30,6 +30,7 @@ fn class(typical: &Typical, class: RayClass, rays: u64, cost: f64, key: u64) -> 
         boxes: Some((boxes * cost * rays as f64) as u64),
         primitives: Some((primitives * cost * rays as f64) as u64),
         rounds: rounds(ns * cost * rays as f64, 12, key),
+        passes: vec![3; 4],
     }
 }
 
@@ -174,6 +175,7 @@ pub(super) fn bunny() -> SceneRecord {
         },
     ];
     SceneRecord {
+        built_anew: true,
         name: "bunny".to_owned(),
         path: "scenes/bunny.sce".to_owned(),
         hash: hash(1),
@@ -235,6 +237,7 @@ pub(super) fn hall() -> SceneRecord {
     };
     let rest = (10..).zip(&all).map(|(i, typical)| structure("hall", typical, triangles, 100 * i));
     SceneRecord {
+        built_anew: true,
         name: "hall".to_owned(),
         path: "scenes/hall.sce".to_owned(),
         hash: hash(2),
