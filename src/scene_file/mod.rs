@@ -25,7 +25,7 @@
 //!   whole numbers may be written `4.0`.
 //! * Numbers must be finite in single precision; what is smaller than its smallest normal number
 //!   (1.2e-38) counts as 0 where 0 is not allowed. Colours may be any finite numbers, brighter than
-//!   1 or negative, as in the original.
+//!   1 or negative, as in the original; reflectances above 1 are warned of.
 //! * A `{` or `push_matrix` that is left open, or a closing one too many, is an error; a `}` closes
 //!   what was pushed within its braces, with an error, and a `pop_matrix` never reaches out of them.
 //! * A triangle whose corners lie on one line is left out, with one warning for all of them.

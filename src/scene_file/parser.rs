@@ -87,6 +87,7 @@ impl<'s> Parser<'s> {
         match values::read(command, keyword, &words, commands::is_keyword) {
             Ok(values) => {
                 self.note_mesh(command, &values);
+                self.scene.report_all(values::doubtful(command, &values));
                 self.carry_out(row.action, values);
             }
             Err(wrong) => {
