@@ -4,7 +4,9 @@
 
 use std::path::Path;
 
-use srt::scene_file::{Diagnostic, ParseOptions, parse, render_diagnostics, summarize};
+use srt::scene_file::{
+    Diagnostic, ParseOptions, parse, parse_to_meshes, render_diagnostics, summarize,
+};
 
 #[test]
 fn every_bad_scene_has_its_messages() {
@@ -34,6 +36,40 @@ fn unknown_commands_are_warnings_in_lenient_mode() {
         insta::assert_snapshot!("lenient", text);
     });
     assert_eq!(parsed.description.objects.len(), 1);
+}
+
+#[test]
+fn the_meshes_of_a_bad_scene_are_known_where_their_lines_can_be_read() {
+    let source = "sce1.0
+object_flat a.obj
+object_flat b.obj c.obj
+object_phong \"d.obj
+object_flt \"e f.obj\"
+object_phong a.obj
+bal 1 0 0 0
+repeat 3
+    scale 0 1 1
+    object_flat g.obj
+end_repeat
+repeat 2
+    object_flat h.obj
+end
+object_flat i.obj
+";
+    let invalid = parse_to_meshes(source, &ParseOptions::default()).unwrap_err();
+    let names: Vec<_> = invalid.meshes.iter().map(|mesh| &mesh.name[..]).collect();
+    assert_eq!(names, ["a.obj", "e f.obj", "g.obj", "h.obj"]);
+    let places: Vec<_> = invalid.meshes.iter().map(|mesh| &source[mesh.span.clone()]).collect();
+    assert_eq!(places, ["a.obj", "\"e f.obj\"", "g.obj", "h.obj"]);
+    let no_scene = parse_to_meshes("v 0 0 0\nobject_flat a.obj\n", &ParseOptions::default());
+    assert!(no_scene.unwrap_err().meshes.is_empty());
+}
+
+#[test]
+fn what_is_skipped_leniently_names_no_mesh() {
+    let options = ParseOptions { lenient: true, ..ParseOptions::default() };
+    let invalid = parse_to_meshes("sce1.0\nobject_flt a.obj\nball\n", &options).unwrap_err();
+    assert!(invalid.meshes.is_empty());
 }
 
 #[test]

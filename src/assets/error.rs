@@ -1,5 +1,6 @@
 //! Why a mesh that a scene names cannot be loaded.
 
+use std::ops::Range;
 use std::path::PathBuf;
 
 use thiserror::Error;
@@ -32,6 +33,8 @@ pub struct FileLine {
     pub line: usize,
     /// The line itself, without its end; cut where it is very long.
     pub text: String,
+    /// The bytes of it that are wrong, where it is not the line as a whole.
+    pub wrong: Option<Range<usize>>,
 }
 
 /// Why there is no mesh.

@@ -31,44 +31,76 @@ use crate::description::MeshReference;
 /// ```
 ///
 /// # Errors
-/// One for every reference whose mesh cannot be loaded, in the order of the references.
+/// One for every mesh that cannot be loaded, at the first reference to it, in the order of the
+/// references.
 pub fn load_meshes(
     references: &[MeshReference],
     folder: &Path,
 ) -> Result<Vec<Arc<MeshData>>, Vec<AssetError>> {
+    let LoadedMeshes { meshes, errors } = load_each_mesh(references, folder);
+    if errors.is_empty() { Ok(meshes.into_iter().flatten().collect()) } else { Err(errors) }
+}
+
+/// What came of the meshes of a scene.
+#[derive(Clone, Debug, Default)]
+pub struct LoadedMeshes {
+    /// That of each reference; `None` where it cannot be loaded.
+    pub meshes: Vec<Option<Arc<MeshData>>>,
+    /// One for every mesh that cannot be loaded, at the first reference to it.
+    pub errors: Vec<AssetError>,
+}
+
+/// Loads the meshes of a scene as [`load_meshes`] does, and keeps those that can be loaded beside the
+/// errors of the others.
+#[must_use]
+pub fn load_each_mesh(references: &[MeshReference], folder: &Path) -> LoadedMeshes {
+    let (meshes, errors) = each(references, folder, |source| source.load().map(Arc::new));
+    LoadedMeshes { meshes, errors }
+}
+
+/// What is wrong with the meshes of a scene that will not be traced: its files are read and forgotten,
+/// and nothing is generated, since only the name of a generated mesh, and its size, can be wrong.
+#[must_use]
+pub fn check_meshes(references: &[MeshReference], folder: &Path) -> Vec<AssetError> {
+    each(references, folder, Source::check).1
+}
+
+/// Does something with each mesh once: what came of each reference, and the errors, at the first
+/// reference to a mesh.
+fn each<T: Clone + Send + Sync>(
+    references: &[MeshReference],
+    folder: &Path,
+    act: impl Fn(&Source) -> Result<T, Box<LoadFailure>> + Sync,
+) -> (Vec<Option<T>>, Vec<AssetError>) {
     let sources: Vec<_> = references.iter().map(|r| Source::of(&r.name, folder)).collect();
     let mut slots = HashMap::new();
     let mut distinct = Vec::new();
     let slot_of: Vec<usize> = sources
         .iter()
-        .map(|source| {
+        .enumerate()
+        .map(|(reference, source)| {
             *slots.entry(source.key()).or_insert_with(|| {
-                distinct.push(source);
+                distinct.push((reference, source));
                 distinct.len() - 1
             })
         })
         .collect();
-    let shortages = shortages(&distinct);
-    let load = |(source, shortage): (&&Source, Option<MemoryShortage>)| match shortage {
-        Some(shortage) => Err(source.too_large(shortage)),
-        None => source.load().map(Arc::new),
+    let act = |(&(reference, source), shortage): (&(usize, &Source), Option<MemoryShortage>)| {
+        let done = match shortage {
+            Some(shortage) => Err(source.too_large(shortage)),
+            None => act(source),
+        };
+        done.map_err(|failure| Box::new(failure.for_reference(reference)))
     };
-    let loaded: Vec<_> = distinct.par_iter().zip(shortages).map(load).collect();
-    let mut meshes = Vec::new();
-    let mut errors = Vec::new();
-    for (reference, &slot) in slot_of.iter().enumerate() {
-        match &loaded[slot] {
-            Ok(mesh) => meshes.push(Arc::clone(mesh)),
-            Err(failure) => errors.push(failure.clone().for_reference(reference)),
-        }
-    }
-    if errors.is_empty() { Ok(meshes) } else { Err(errors) }
+    let done: Vec<_> = distinct.par_iter().zip(shortages(&distinct)).map(act).collect();
+    let results = slot_of.into_iter().map(|slot| done[slot].as_ref().ok().cloned()).collect();
+    (results, done.into_iter().filter_map(|done| done.err().map(|error| *error)).collect())
 }
 
 /// For each source, whether it and those before it take more memory than there is.
-fn shortages(sources: &[&Source]) -> Vec<Option<MemoryShortage>> {
+fn shortages(sources: &[(usize, &Source)]) -> Vec<Option<MemoryShortage>> {
     let mut needed = 0u64;
-    let shortage = |source: &&Source| {
+    let shortage = |(_, source): &(usize, &Source)| {
         let own = source.bytes();
         needed = needed.saturating_add(own);
         // What takes nothing is not at fault.
@@ -95,7 +127,7 @@ enum Key {
     Nothing(String),
 }
 
-/// An [`AssetError`] without its reference: several references may share it.
+/// An [`AssetError`] without its reference.
 #[derive(Clone)]
 struct LoadFailure {
     problem: Problem,
@@ -164,6 +196,14 @@ impl Source {
             Self::Nothing { failure, .. } => Err(failure.clone()),
         }
     }
+
+    /// Whether the mesh can be loaded.
+    fn check(&self) -> Result<(), Box<LoadFailure>> {
+        match self {
+            Self::Recipe(_) => Ok(()),
+            Self::File { .. } | Self::Nothing { .. } => self.load().map(drop),
+        }
+    }
 }
 
 fn find_file(path: PathBuf) -> Result<Source, Box<LoadFailure>> {
@@ -226,7 +266,12 @@ fn read_mesh(path: &Path) -> Result<MeshData, Box<LoadFailure>> {
     })?;
     let mesh = obj::read(&text).map_err(|fault| {
         let problem = Problem::Malformed { path: path.to_owned(), what: fault.what };
-        let place = FileLine { path: path.to_owned(), line: fault.line, text: fault.text };
+        let place = FileLine {
+            path: path.to_owned(),
+            line: fault.line,
+            text: fault.text,
+            wrong: fault.wrong,
+        };
         Box::new(LoadFailure { problem, place: Some(place), help: Some(fault.help) })
     })?;
     if !mesh.triangles.is_empty() {
@@ -264,12 +309,18 @@ fn other_format(path: &Path, bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// The line that contains the byte at `offset`, its readable part; the path is left empty.
+/// The line that contains the byte at `offset`, up to that byte; the path is left empty.
 fn first_bad_line(bytes: &[u8], offset: usize) -> FileLine {
     let line = 1 + bytes[..offset].iter().filter(|&&b| b == b'\n').count();
     let start = bytes[..offset].iter().rposition(|&b| b == b'\n').map_or(0, |at| at + 1);
-    let text = String::from_utf8_lossy(&bytes[start..offset]).chars().take(200).collect();
-    FileLine { path: PathBuf::new(), line, text }
+    let mut text: String =
+        String::from_utf8_lossy(&bytes[start..offset]).chars().take(200).collect();
+    // In a longer line the byte is not shown.
+    let wrong = (text.len() == offset - start).then(|| {
+        text.push(char::REPLACEMENT_CHARACTER);
+        offset - start..text.len()
+    });
+    FileLine { path: PathBuf::new(), line, text, wrong }
 }
 
 #[cfg(test)]

@@ -7,20 +7,20 @@ use glam::DVec3;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use crate::assets::{AssetError, MeshData};
-use crate::description::{Light, Object, SceneDescription, Shape, Span};
+use crate::description::{Light, MeshReference, Object, SceneDescription, Shape, Span};
 use crate::scene::SceneError;
 use crate::scene_file::{Diagnostic, LineElsewhere};
 use crate::shapes::Single;
 
 /// A mesh that cannot be loaded, at the place where the scene names it first.
-pub(crate) fn mesh(error: &AssetError, scene: &SceneDescription) -> Diagnostic {
-    let diagnostic =
-        Diagnostic::error(scene.meshes[error.reference].span.clone(), error.to_string());
+pub(crate) fn mesh(error: &AssetError, meshes: &[MeshReference]) -> Diagnostic {
+    let diagnostic = Diagnostic::error(meshes[error.reference].span.clone(), error.to_string());
     let diagnostic = match &error.place {
         Some(place) => diagnostic.with_elsewhere(LineElsewhere {
             file: place.path.display().to_string(),
             line: place.line,
             text: place.text.clone(),
+            marked: place.wrong.clone(),
         }),
         None => diagnostic,
     };

@@ -1,14 +1,17 @@
 //! A scene from its file: read, parsed, its meshes loaded, compiled; or the errors in it.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::source::{self, SourceError};
 use super::terminal::{print_error, print_message};
 use super::{diagnose, terminal};
-use crate::assets::{available_memory, load_meshes};
-use crate::description::SceneDescription;
+use crate::assets::{LoadedMeshes, MeshData, available_memory, check_meshes, load_each_mesh};
+use crate::description::{SceneDescription, Shape};
 use crate::scene::Scene;
-use crate::scene_file::{Diagnostic, ParseOptions, parse, render_diagnostics, summarize};
+use crate::scene_file::{
+    Diagnostic, Invalid, ParseOptions, parse_to_meshes, render_diagnostics, summarize,
+};
 
 /// A scene that can be traced.
 pub(crate) struct Loaded {
@@ -67,27 +70,46 @@ fn compile(
     path: &Path,
     lenient: bool,
 ) -> Result<(SceneDescription, Scene, Vec<Diagnostic>), Vec<Diagnostic>> {
-    let parsed = parse(source, &ParseOptions { lenient, memory: available_memory() })?;
-    let (description, mut warnings) = (parsed.description, parsed.warnings);
-    let meshes = match load_meshes(&description.meshes, folder_of(path)) {
-        Ok(meshes) => meshes,
-        Err(errors) => {
-            warnings.extend(errors.iter().map(|error| diagnose::mesh(error, &description)));
-            return Err(in_order(warnings));
+    let folder = folder_of(path);
+    let options = ParseOptions { lenient, memory: available_memory() };
+    let parsed = parse_to_meshes(source, &options).map_err(|invalid| {
+        let Invalid { mut diagnostics, meshes } = invalid;
+        let errors = check_meshes(&meshes, folder);
+        diagnostics.extend(errors.iter().map(|error| diagnose::mesh(error, &meshes)));
+        in_order(diagnostics)
+    })?;
+    let (mut description, mut diagnostics) = (parsed.description, parsed.warnings);
+    let LoadedMeshes { meshes, errors } = load_each_mesh(&description.meshes, folder);
+    if !errors.is_empty() {
+        let errors = errors.iter().map(|error| diagnose::mesh(error, &description.meshes));
+        diagnostics.extend(errors);
+        leave_out_what_has_no_mesh(&mut description, &meshes);
+    }
+    let complete = errors.is_empty();
+    let meshes: Vec<_> = meshes.into_iter().map(Option::unwrap_or_default).collect();
+    diagnostics.extend(diagnose::dropped(&description, &meshes));
+    match Scene::new(&description, meshes) {
+        Ok(scene) if complete => {
+            diagnostics.extend(diagnose::eye_in_the_dark(&description));
+            Ok((description, scene, in_order(diagnostics)))
         }
-    };
-    warnings.extend(diagnose::dropped(&description, &meshes));
-    let compiled = Scene::new(&description, meshes);
-    match compiled {
-        Ok(scene) => {
-            warnings.extend(diagnose::eye_in_the_dark(&description));
-            Ok((description, scene, in_order(warnings)))
-        }
+        Ok(_) => Err(in_order(diagnostics)),
         Err(errors) => {
-            warnings.extend(errors.iter().map(|error| diagnose::scene(error, &description)));
-            Err(in_order(warnings))
+            diagnostics.extend(errors.iter().map(|error| diagnose::scene(error, &description)));
+            Err(in_order(diagnostics))
         }
     }
+}
+
+/// Takes the objects away whose meshes could not be loaded, so that the others can be checked.
+fn leave_out_what_has_no_mesh(
+    description: &mut SceneDescription,
+    meshes: &[Option<Arc<MeshData>>],
+) {
+    description.objects.retain(|object| match object.shape {
+        Shape::Mesh { mesh, .. } => meshes[mesh].is_some(),
+        Shape::Single(_) => true,
+    });
 }
 
 /// The folder that the scene's mesh paths are relative to: the working folder for a scene from

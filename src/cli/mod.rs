@@ -24,6 +24,7 @@
 mod args;
 mod check;
 mod choice;
+mod clipping;
 mod command_line;
 mod compare;
 mod compare_args;

@@ -10,7 +10,7 @@ use super::output::{Output, prepare_picture};
 use super::render_args::{RenderArguments, StatsForm};
 use super::values::Size;
 use crate::accel::{BuildConfig, Quality};
-use crate::image_io::Format;
+use crate::image_io::{Format, Tone};
 use crate::render::{Crop, Sampling, Settings, View};
 use crate::scene::{Scene, Structure};
 
@@ -41,6 +41,8 @@ pub(crate) struct RenderOptions {
     pub(crate) crop: Option<Crop>,
     /// What the pixels show.
     pub(crate) view: View,
+    /// How its light is fitted into bytes.
+    pub(crate) tone: Tone,
     /// Whether unknown commands are warnings.
     pub(crate) lenient: bool,
     /// Whether an interrupted rendering is written.
@@ -86,6 +88,8 @@ impl RenderOptions {
         }
         let (output, format) = prepare_picture(&output, typed.format)?;
         refuse_same_file(&scene, &output)?;
+        let tone = Tone { exposure: typed.exposure, curve: typed.tone_curve };
+        check_tone(tone, typed.view, format)?;
         Ok(Self {
             structure: typed.accel,
             build: build_config(typed.build),
@@ -100,6 +104,7 @@ impl RenderOptions {
             seed: typed.seed,
             crop: typed.crop,
             view: typed.view,
+            tone,
             lenient: typed.lenient,
             keep_partial: typed.keep_partial,
             stats: typed.stats.map(|form| stats(form, &output)),
@@ -160,6 +165,27 @@ fn check_pixels(region: Crop) -> Result<(), Failure> {
         region.height(),
         Settings::MAX_PIXELS,
     )))
+}
+
+/// Exposure and tone curve are for the light of the scene, and for formats that cannot hold all of it.
+fn check_tone(tone: Tone, view: View, format: Format) -> Result<(), Failure> {
+    if tone.is_neutral() {
+        return Ok(());
+    }
+    if view != View::Color {
+        return Err(Failure::new(format_args!(
+            "--exposure and --tone-curve change the light of a picture, and --view {} shows none: \
+             leave them out",
+            view.name(),
+        )));
+    }
+    if format.is_linear() {
+        return Err(Failure::new(format_args!(
+            "--exposure and --tone-curve are for .tga, .png and .ppm: .{format} holds the light as it \
+             is, and what shows it chooses the exposure",
+        )));
+    }
+    Ok(())
 }
 
 /// More threads than this for each processor only wait for each other: with hundreds of them, a
@@ -250,6 +276,21 @@ mod tests {
         assert_eq!(json, Some(Stats::Json { to_stderr: false }));
         let to_pipe = stats(StatsForm::Json, &Output::stdout());
         assert_eq!(to_pipe, Stats::Json { to_stderr: true });
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_tone_is_for_light_in_bytes() {
+        let refusal = |typed: &[&str]| options(typed).unwrap_err().to_string();
+        assert!(options(&["--exposure", "-1.5", "--tone-curve", "filmic"]).is_ok());
+        assert!(options(&["--exposure", "0", "--tone-curve", "none", "--format", "exr"]).is_ok());
+        let floats = refusal(&["--exposure", "1", "--format", "exr"]);
+        assert!(floats.contains(".exr holds the light as it is"), "{floats}");
+        assert!(
+            refusal(&["--tone-curve", "filmic", "--format", "hdr"]).contains(".tga, .png and .ppm")
+        );
+        let view = refusal(&["--exposure", "1", "--view", "depth"]);
+        assert!(view.contains("--view depth shows none"), "{view}");
     }
 
     #[test]

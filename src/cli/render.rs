@@ -7,6 +7,7 @@ use clap::CommandFactory;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::args::Arguments;
+use super::clipping::ClippingWarning;
 use super::exit::{CommandResult, Exit, Failure};
 use super::figures::Figures;
 use super::interrupt::Interrupt;
@@ -16,10 +17,10 @@ use super::options::{RenderOptions, Stats};
 use super::output::{OutputError, print};
 use super::progress::Progress;
 use super::render_args::RenderArguments;
-use super::terminal::print_message;
+use super::terminal::{print_message, print_warning};
 use super::{image, summary};
 use crate::image_io::encode;
-use crate::render::{Rendering, Settings, render};
+use crate::render::{Rendering, Settings, View, render};
 use crate::scene::{BuildError, BuildReport, Scene};
 
 /// Renders; a rendering that a signal ended is written only with `--keep-partial`.
@@ -102,14 +103,20 @@ fn conclude(
     interrupt: &Interrupt,
 ) -> CommandResult {
     let figures = Figures::new(&options, settings, &build, &rendering);
-    let (picture, scale) = image::picture(rendering.image, settings.view, options.format);
+    let (mut picture, scale) = image::picture(rendering.image, settings.view, options.format);
     let figures = figures.with_scale(scale);
+    let is_light = settings.view == View::Color && !options.quiet;
+    let clipping = ClippingWarning::of(&picture, options.tone, options.format).filter(|_| is_light);
+    options.tone.apply(&mut picture);
     let bytes = encode(&picture, options.format).map_err(Failure::new)?;
     options.output.write(|to| to.write_all(&bytes))?;
     if let Some(stats) = options.stats {
         print_stats(&figures, stats)?;
     }
     if !options.quiet {
+        if let Some(clipping) = clipping {
+            print_warning(clipping);
+        }
         if let Some(scale) = scale {
             print_message(image::legend(settings.view, scale));
         }

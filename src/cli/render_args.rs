@@ -9,7 +9,7 @@ use super::structures::Structures;
 use super::values::{self, Size, whole};
 use crate::accel::Quality;
 use crate::description::Options;
-use crate::image_io::Format;
+use crate::image_io::{Format, ToneCurve};
 use crate::render::{Crop, Sampling, Settings, View};
 use crate::scene::Structure;
 
@@ -99,6 +99,21 @@ pub(crate) struct RenderArguments {
         value_parser = described(&View::ALL, View::name, View::summary),
         help_heading = "Picture")]
     pub(crate) view: View,
+
+    /// How many stops brighter the picture is written: 1 doubles the light, -1 halves it
+    ///
+    /// For tga, png and ppm: exr and hdr hold the light as it is, and viewers choose the exposure.
+    #[arg(long, value_name = "EV", allow_negative_numbers = true, default_value_t = 0.0,
+        value_parser = values::stops, help_heading = "Picture")]
+    pub(crate) exposure: f32,
+
+    /// How light above 1 is fitted into the picture, after the exposure
+    ///
+    /// For tga, png and ppm, as --exposure.
+    #[arg(long, value_name = "CURVE", default_value = ToneCurve::default().name(),
+        value_parser = described(&ToneCurve::ALL, ToneCurve::name, ToneCurve::summary),
+        help_heading = "Picture")]
+    pub(crate) tone_curve: ToneCurve,
 
     /// The picture's format, regardless of the extension
     #[arg(long, value_name = "FORMAT", value_parser = named(&Format::ALL, Format::name),

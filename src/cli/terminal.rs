@@ -15,6 +15,12 @@ pub(crate) fn print_error(message: impl std::fmt::Display) {
     print_message(format_args!("{bold_red}error:{plain} {message}"));
 }
 
+/// Writes a warning: `warning: …`, as those of a scene begin.
+pub(crate) fn print_warning(message: impl std::fmt::Display) {
+    let (bold_yellow, plain) = if colors() { ("\x1b[1;33m", "\x1b[0m") } else { ("", "") };
+    print_message(format_args!("{bold_yellow}warning:{plain} {message}"));
+}
+
 /// Whether text for standard error may carry colours.
 pub(crate) fn colors() -> bool {
     decide(

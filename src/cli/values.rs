@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use crate::assets::generate::{MAX_TRIANGLES, read_count};
 use crate::description::Camera;
+use crate::image_io::Tone;
 use crate::render::Crop;
 
 /// A value that could not be read, and what would be right.
@@ -44,6 +45,12 @@ pub(crate) enum ValueError {
     /// Not two sizes of meshes.
     #[error("expected two numbers of triangles, the smaller first, up to 100M, such as 1k..10M")]
     Sizes,
+    /// Not a number of stops.
+    #[error(
+        "expected a number of stops from -{0} to {0}, such as -1.5: each doubles or halves the light",
+        Tone::MAX_STOPS
+    )]
+    Stops,
     /// Not a percentage.
     #[error("expected a percentage from 0, such as 10%")]
     Percent,
@@ -120,6 +127,13 @@ pub(super) fn sizes(text: &str) -> Result<(u32, u32), ValueError> {
     let first = triangles(first.trim()).map_err(|_| ValueError::Sizes)?;
     let last = triangles(last.trim()).map_err(|_| ValueError::Sizes)?;
     if first <= last { Ok((first, last)) } else { Err(ValueError::Sizes) }
+}
+
+/// Reads an exposure in stops.
+pub(super) fn stops(text: &str) -> Result<f32, ValueError> {
+    let stops: f32 = text.trim().parse().map_err(|_| ValueError::Stops)?;
+    // Neither infinities nor NaN are at most anything.
+    if stops.abs() <= Tone::MAX_STOPS { Ok(stops) } else { Err(ValueError::Stops) }
 }
 
 /// Reads a percentage, `10%` or `10`, as a share: 0.1.
@@ -207,6 +221,19 @@ mod tests {
         assert_eq!((percent("10%"), percent("0"), percent("2.5 %")), (Ok(0.1), Ok(0.0), Ok(0.025)));
         for bad in ["", "%", "-1%", "nan", "inf%", "ten"] {
             assert_eq!(percent(bad), Err(ValueError::Percent), "{bad}");
+        }
+    }
+
+    #[test]
+    fn exposures() {
+        let read = ["0", "-0", "1.5", "-32", "+2", " .5 "].map(stops);
+        assert_eq!(read, [0.0, 0.0, 1.5, -32.0, 2.0, 0.5].map(Ok));
+        for bad in ["", "EV", "32.5", "-33", "nan", "inf", "-inf", "1e9", "1,5", "2EV"] {
+            let error = stops(bad).unwrap_err().to_string();
+            assert!(
+                error.starts_with("expected a number of stops from -32 to 32"),
+                "{bad}: {error}"
+            );
         }
     }
 

@@ -15,6 +15,7 @@ use super::camera_draft::CameraDraft;
 use super::diagnostic::{Diagnostic, counted};
 use super::precision::holds_transform;
 use super::scopes::Scopes;
+use super::{Invalid, Parsed};
 
 /// The scene as far as it has been read.
 #[derive(Default)]
@@ -47,9 +48,9 @@ impl SceneBuilder {
         diagnostics.into_iter().for_each(|diagnostic| self.report(diagnostic));
     }
 
-    /// What is wrong with a text that is no scene.
-    pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
-        self.diagnostics
+    /// What is wrong with a text that is no valid scene.
+    pub(super) fn into_invalid(self) -> Invalid {
+        Invalid { diagnostics: self.diagnostics, meshes: self.meshes }
     }
 
     /// How many errors there are.
@@ -197,8 +198,8 @@ impl SceneBuilder {
         })
     }
 
-    /// Checks the scene as a whole. `None` where something is wrong with it.
-    pub(super) fn finish(mut self, end: &Span) -> (Option<SceneDescription>, Vec<Diagnostic>) {
+    /// Checks the scene as a whole.
+    pub(super) fn finish(mut self, end: &Span) -> Result<Parsed, Invalid> {
         let unclosed = self.scopes.unclosed(end);
         self.report_all(unclosed);
         let camera = std::mem::take(&mut self.camera).finish();
@@ -207,19 +208,19 @@ impl SceneBuilder {
             None
         });
         self.warn_of_degenerate_triangles();
-        if self.error_count > 0 {
-            return (None, self.diagnostics);
-        }
+        let Some(camera) = camera.filter(|_| self.error_count == 0) else {
+            return Err(self.into_invalid());
+        };
         self.warn_of_nothing_to_see(end);
-        let description = camera.map(|camera| SceneDescription {
+        let description = SceneDescription {
             camera,
             options: self.options,
             materials: self.materials,
             meshes: self.meshes,
             objects: self.objects,
             lights: self.lights,
-        });
-        (description, self.diagnostics)
+        };
+        Ok(Parsed { description, warnings: self.diagnostics })
     }
 
     fn warn_of_degenerate_triangles(&mut self) {

@@ -35,6 +35,8 @@ pub struct Value {
 pub enum ValueKind {
     /// Any number.
     Number,
+    /// Any number; one above 1 is warned of.
+    Reflectance,
     /// A number greater than 0.
     Positive,
     /// A number that is not less than 0.
@@ -57,6 +59,13 @@ pub(super) const XYZ: &[Value] = &[number("x"), number("y"), number("z")];
 /// A colour. Any finite number will do: lights may be brighter than 1, and the original accepts
 /// lights that darken.
 pub(super) const RGB: &[Value] = &[number("r"), number("g"), number("b")];
+
+/// What a surface does to light. The original accepts any finite number.
+pub(super) const REFLECTANCE: &[Value] = &[
+    value("r", ValueKind::Reflectance),
+    value("g", ValueKind::Reflectance),
+    value("b", ValueKind::Reflectance),
+];
 
 /// A value that may be any number.
 pub(super) const fn number(name: &'static str) -> Value {
@@ -99,7 +108,7 @@ impl ValueKind {
     /// What is wrong with a finite number as a value of this kind: "must be …".
     pub(super) fn complaint(self, number: f64) -> Option<String> {
         let right = match self {
-            Self::Number | Self::Name => true,
+            Self::Number | Self::Reflectance | Self::Name => true,
             Self::Positive => number > 0.0 && !is_zero(number),
             Self::NotNegative => number >= 0.0,
             Self::ScaleFactor => !is_zero(number),
@@ -120,7 +129,7 @@ impl ValueKind {
 impl fmt::Display for ValueKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Number => f.write_str("any number"),
+            Self::Number | Self::Reflectance => f.write_str("any number"),
             Self::Positive => f.write_str("greater than 0"),
             Self::NotNegative => f.write_str("0 or more"),
             Self::ScaleFactor => f.write_str("other than 0"),

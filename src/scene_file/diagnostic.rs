@@ -41,6 +41,8 @@ pub struct LineElsewhere {
     pub line: usize,
     /// The line itself, without its end.
     pub text: String,
+    /// The bytes of it to be marked; without them all of it is.
+    pub marked: Option<Span>,
 }
 
 impl Diagnostic {

@@ -25,7 +25,7 @@
 //!   whole numbers may be written `4.0`.
 //! * Numbers must be finite in single precision; what is smaller than its smallest normal number
 //!   (1.2e-38) counts as 0 where 0 is not allowed. Colours may be any finite numbers, brighter than
-//!   1 or negative, as in the original.
+//!   1 or negative, as in the original; reflectances above 1 are warned of.
 //! * A `{` or `push_matrix` that is left open, or a closing one too many, is an error; a `}` closes
 //!   what was pushed within its braces, with an error, and a `pop_matrix` never reaches out of them.
 //! * A triangle whose corners lie on one line is left out, with one warning for all of them.
@@ -64,7 +64,7 @@ pub use parser::ParseOptions;
 pub use render::{MOST_RENDERED, render_diagnostics, summarize};
 pub use text::line_column;
 
-use crate::description::SceneDescription;
+use crate::description::{MeshReference, SceneDescription};
 
 /// A scene, and the warnings about it.
 #[derive(Clone, Debug)]
@@ -75,16 +75,35 @@ pub struct Parsed {
     pub warnings: Vec<Diagnostic>,
 }
 
+/// A text that is no valid scene: what is wrong with it, and what can be looked into all the same.
+#[derive(Clone, Debug)]
+pub struct Invalid {
+    /// Errors and warnings, in the order of the text.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The meshes that it names in lines that can be read, each once, in the order of the text: what is
+    /// wrong with them can be told at the same time.
+    pub meshes: Vec<MeshReference>,
+}
+
 /// Reads a scene.
 ///
 /// # Errors
 /// Everything that is wrong with it, errors and warnings, in the order of the text.
 pub fn parse(source: &str, options: &ParseOptions) -> Result<Parsed, Vec<Diagnostic>> {
-    let (description, mut diagnostics) = parser::read(source, options);
+    parse_to_meshes(source, options).map_err(|invalid| invalid.diagnostics)
+}
+
+/// Reads a scene, or else at least the names of its meshes.
+///
+/// # Errors
+/// Everything that is wrong with it, and the meshes that it names.
+pub fn parse_to_meshes(source: &str, options: &ParseOptions) -> Result<Parsed, Invalid> {
+    let mut read = parser::read(source, options);
+    let diagnostics = match &mut read {
+        Ok(parsed) => &mut parsed.warnings,
+        Err(invalid) => &mut invalid.diagnostics,
+    };
     // Stable: diagnostics of one place stay in the order in which they were found.
     diagnostics.sort_by_key(|d| d.span.start);
-    match description {
-        Some(description) => Ok(Parsed { description, warnings: diagnostics }),
-        None => Err(diagnostics),
-    }
+    read
 }

@@ -5,10 +5,11 @@
 
 use std::collections::HashSet;
 
-use crate::description::{SceneDescription, Span};
+use crate::description::Span;
 
 use super::action::{Action, Row};
 use super::builder::SceneBuilder;
+use super::command::SceneCommand;
 use super::commands;
 use super::diagnostic::{Diagnostic, quoted};
 use super::header::{self, FirstLine};
@@ -17,6 +18,7 @@ use super::repeat::OpenRepeats;
 use super::suggest::{did_you_mean, list_of_commands};
 use super::text::{TextLine, lines};
 use super::values::{self, Values};
+use super::{Invalid, Parsed};
 
 /// How strictly a scene is read.
 #[derive(Clone, Debug, Default)]
@@ -28,16 +30,13 @@ pub struct ParseOptions {
 }
 
 /// Reads a whole scene. What is wrong comes in no particular order.
-pub(super) fn read(
-    source: &str,
-    options: &ParseOptions,
-) -> (Option<SceneDescription>, Vec<Diagnostic>) {
+pub(super) fn read(source: &str, options: &ParseOptions) -> Result<Parsed, Invalid> {
     let mut parser = Parser { lenient: options.lenient, ..Parser::default() };
     parser.scene.limit_memory(options.memory);
     let header = header::check(source);
     parser.scene.report_all(header.diagnostic);
     if header.first_line == FirstLine::NoScene {
-        return (None, parser.scene.into_diagnostics());
+        return Err(parser.scene.into_invalid());
     }
     let is_missing = header.first_line == FirstLine::Missing;
     let mut lines = lines(source).skip(usize::from(!is_missing));
@@ -77,7 +76,7 @@ impl<'s> Parser<'s> {
         let Some((keyword, rest)) = lexer::keyword(line) else { return };
         match commands::find(keyword.text) {
             Some(row) => self.command(row, keyword, rest),
-            None => self.unknown(keyword),
+            None => self.unknown(keyword, rest),
         }
     }
 
@@ -86,12 +85,23 @@ impl<'s> Parser<'s> {
         self.written.insert(command.keyword);
         let words = if command.takes_name() { lexer::names(rest) } else { lexer::values(rest) };
         match values::read(command, keyword, &words, commands::is_keyword) {
-            Ok(values) => self.carry_out(row.action, values),
+            Ok(values) => {
+                self.note_mesh(command, &values);
+                self.scene.report_all(values::doubtful(command, &values));
+                self.carry_out(row.action, values);
+            }
             Err(wrong) => {
                 self.scene.report_all(wrong);
                 self.open_or_close(row, keyword);
                 self.braces_among(words.get(command.values.len()..).unwrap_or_default());
             }
+        }
+    }
+
+    /// Notes the mesh that a command names: the lines of a `repeat` that is wrong are never carried out.
+    fn note_mesh(&mut self, command: &SceneCommand, values: &Values<'s>) {
+        if command.takes_name() {
+            self.scene.mesh_id(values.name(), values.span_of(0, 0));
         }
     }
 
@@ -108,7 +118,7 @@ impl<'s> Parser<'s> {
         }
     }
 
-    fn unknown(&mut self, keyword: Word<'s>) {
+    fn unknown(&mut self, keyword: Word<'s>, rest: TextLine<'s>) {
         let meant = did_you_mean(keyword.text);
         let question = meant.map(|row| format!(", did you mean `{}`?", row.command.keyword));
         let message =
@@ -128,6 +138,10 @@ impl<'s> Parser<'s> {
         if let Some(row) = meant.filter(|_| !self.lenient) {
             self.written.insert(row.command.keyword);
             self.open_or_close(row, keyword);
+            let names = lexer::names(rest);
+            if let Ok(values) = values::read(&row.command, keyword, &names, commands::is_keyword) {
+                self.note_mesh(&row.command, &values);
+            }
         }
     }
 
@@ -150,7 +164,7 @@ impl<'s> Parser<'s> {
     }
 
     /// Checks the scene as a whole.
-    fn finish(mut self, source: &str) -> (Option<SceneDescription>, Vec<Diagnostic>) {
+    fn finish(mut self, source: &str) -> Result<Parsed, Invalid> {
         let end = self.end.unwrap_or_else(|| end_of(source));
         self.repeats.report_unclosed(&mut self.scene, &end);
         self.scene.report_all(commands::camera::missing(&self.written, &end));

@@ -81,10 +81,19 @@ fn group<'a>(diagnostic: &Diagnostic, source: &str, file_name: &str) -> Group<'a
     }
 }
 
-/// A line of another file, all of it marked.
+/// A line of another file, marked.
 fn snippet_elsewhere<'a>(line: &LineElsewhere) -> Snippet<'a, Annotation<'a>> {
     let text = printable(&line.text);
-    let mark = AnnotationKind::Primary.span(marked(&text));
+    let place = line.marked.as_ref().and_then(|marked| {
+        let (before, word) = (line.text.get(..marked.start)?, line.text.get(marked.clone())?);
+        let start = printable(before).len();
+        Some(
+            start
+                ..start
+                    + printable(word).chars().take(LONGEST_MARK).map(char::len_utf8).sum::<usize>(),
+        )
+    });
+    let mark = AnnotationKind::Primary.span(place.unwrap_or_else(|| marked(&text)));
     Snippet::source(text).line_start(line.line).path(printable(&line.file)).annotation(mark)
 }
 

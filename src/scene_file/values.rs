@@ -105,6 +105,25 @@ pub(super) fn read<'s>(
     if wrong.is_empty() { Ok(values) } else { Err(wrong) }
 }
 
+/// A warning of values that can be used, but hardly were meant: of reflectances above 1.
+pub(super) fn doubtful(command: &SceneCommand, values: &Values<'_>) -> Option<Diagnostic> {
+    let is_above =
+        |&i: &usize| command.values[i].kind == ValueKind::Reflectance && values.numbers[i] > 1.0;
+    let above: Vec<_> = (0..values.numbers.len()).filter(is_above).collect();
+    let (first, last) = (*above.first()?, *above.last()?);
+    let names: Vec<_> = above.iter().map(|&i| command.values[i].name).collect();
+    let label = match names[..] {
+        [one] => format!("{one} is above 1"),
+        [one, other] => format!("{one} and {other} are above 1"),
+        _ => format!("{} are above 1", names.join(", ")),
+    };
+    let message =
+        format!("with this `{}` a surface reflects more light than it gets", command.keyword);
+    let help = format!("reflectances go from 0 to 1, for example `{}`", command.example);
+    let warning = Diagnostic::warning(values.span_of(first, last), message);
+    Some(warning.with_label(label).with_help(help))
+}
+
 fn check_count(
     command: &SceneCommand,
     keyword: Word<'_>,

@@ -155,6 +155,80 @@ fn all_errors_of_a_scene_are_printed_at_once() {
     assert!(run.stderr.contains("is not a valid scene: 2 errors"), "{}", run.stderr);
 }
 
+/// A scene in which text, meshes and generators are wrong.
+fn all_wrong(folder: &Path) {
+    meshes(folder);
+    let wrong = "\
+ball 1 0 x 0
+object_flat meshes/malformed.obj
+object_flt meshes/none.obj
+object_phong ./meshes/malformed.obj
+repeat 2
+object_flat generate:soup:many
+object_flat meshes/out_of_range.obj
+object_flat generate:torus-knott:1000
+object_phong meshes/malformed.obj
+object_flat meshes/bytes.obj
+object_flat generate:torus-knot:100000000
+object_flat meshes/partly_flat.obj
+";
+    fs::write(folder.join("wrong.sce"), SCENE.replace("\nend\n", &format!("\n{wrong}end\n")))
+        .unwrap();
+}
+
+#[test]
+fn errors_of_meshes_and_generators_stand_among_those_of_the_text() {
+    let folder = folder();
+    all_wrong(folder.path());
+    let checked = run_in(folder.path(), &["check", "wrong.sce"]);
+    assert_eq!(checked.code, 1);
+    insta::assert_snapshot!("errors_of_text_and_meshes", checked.stderr);
+    let rendered = run_in(folder.path(), &["wrong.sce", "a.png"]);
+    assert_eq!((rendered.code, rendered.stderr), (2, checked.stderr));
+    assert!(!folder.path().join("a.png").exists());
+}
+
+#[test]
+fn what_can_be_checked_beside_a_mesh_that_cannot_be_loaded_is() {
+    let folder = folder();
+    meshes(folder.path());
+    let wrong = "object_flat meshes/partly_flat.obj\nball 1e-12 0 0 0\nobject_flat meshes/none.obj\n\
+        translate 3e20 0 0\nobject_flat meshes/points.obj\nobject_flat generate:soup:5\n";
+    fs::write(
+        folder.path().join("wrong.sce"),
+        SCENE.replace("\nend\n", &format!("\n{wrong}end\n")),
+    )
+    .unwrap();
+    let run = run_in(folder.path(), &["check", "wrong.sce"]);
+    assert_eq!(run.code, 1);
+    insta::assert_snapshot!("errors_beside_a_missing_mesh", run.stderr);
+}
+
+#[cfg(target_os = "linux")] // Elsewhere the shell may not be able to limit memory.
+#[test]
+fn meshes_beyond_memory_are_told_with_the_errors_of_the_text() {
+    let folder = folder();
+    let wrong = "ball 1\nobject_flat generate:soup:99M\nobject_flat generate:hall:1k\nend\n";
+    fs::write(folder.path().join("many.sce"), SCENE.replace("end\n", wrong)).unwrap();
+    let output = std::process::Command::new("sh")
+        .args(["-c", "ulimit -v 1000000 && exec \"$0\" check many.sce"])
+        .arg(assert_cmd::cargo::cargo_bin!("srt"))
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    for part in [
+        "error: `ball` takes 4 values (radius x y z), found 1",
+        "error: the mesh `generate:soup:99000000` is too large: it takes about 7.1 GB of memory",
+        "--> many.sce:26:13",
+        "use a mesh of fewer triangles, or let the program use more memory",
+        "`many.sce` is not a valid scene: 3 errors",
+    ] {
+        assert!(stderr.contains(part), "{part}:\n{stderr}");
+    }
+}
+
 #[test]
 fn standard_input_is_read_only_once() {
     crate::support::refused(&["check", "-", "-"], &["`-` is named twice"]);

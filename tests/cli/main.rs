@@ -16,3 +16,4 @@ mod outputs;
 mod rendering;
 mod stats;
 mod support;
+mod tone;

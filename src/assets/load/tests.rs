@@ -55,6 +55,9 @@ fn every_mesh_that_cannot_be_loaded_is_an_error() {
         "bad.obj",
     ];
     let errors = load_meshes(&references(&names), folder.path()).unwrap_err();
+    assert_eq!(check_meshes(&references(&names), folder.path()), errors);
+    let LoadedMeshes { meshes, .. } = load_each_mesh(&references(&names), folder.path());
+    assert!(meshes[0].is_some() && meshes[1..].iter().all(Option::is_none));
     let messages: Vec<String> = errors
         .iter()
         .map(|error| {
@@ -65,6 +68,43 @@ fn every_mesh_that_cannot_be_loaded_is_an_error() {
         .collect();
     let root = format!("{}{}", folder.path().display(), std::path::MAIN_SEPARATOR);
     insta::assert_snapshot!(messages.join("\n").replace(&root, ""));
+}
+
+#[test]
+fn a_check_generates_nothing() {
+    let folder = folder_with(&[]);
+    let names = references(&["generate:icosphere:1k", "generate:hall:none", "generate:soup:2"]);
+    let (done, errors) = each(&names, folder.path(), Source::check);
+    assert_eq!(done, [Some(()), None, Some(())]);
+    assert_eq!(errors[0].reference, 1);
+}
+
+#[test]
+fn the_word_that_is_wrong_is_marked() {
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    let marked = |line: &str| {
+        let folder = folder_with(&[("a.obj", format!("{text}{line}\nf 1 2 -1\n").as_bytes())]);
+        let errors = load_meshes(&references(&["a.obj"]), folder.path()).unwrap_err();
+        let place = errors[0].place.as_ref().unwrap();
+        assert_eq!(place.line, 4, "{line}");
+        place.wrong.clone().map(|wrong| place.text[wrong].to_owned())
+    };
+    for (line, word) in [
+        ("v 1 zero 0", "zero"),
+        ("  v 0 1 nan # nan", "nan"),
+        ("v 0 0 1 w", "w"),
+        ("f 1 1 4 4", "4"),
+        ("f 1 2 0/0 3", "0/0"),
+        ("f 1//1 2 3", "1//1"),
+        ("f 1 2 -9", "-9"),
+        ("f 1 /2 3", "/2"),
+        ("vn 0 é 0", "é"),
+    ] {
+        assert_eq!(marked(line).as_deref(), Some(word), "{line}");
+    }
+    for line in ["f 1 2", "v 0 0", "v 1 2 3 4 5", "f 1 2 \\\n 9"] {
+        assert_eq!(marked(line), None, "{line}");
+    }
 }
 
 #[test]

@@ -2,6 +2,9 @@
 //! a comment.
 
 use std::borrow::Cow;
+use std::ops::Range;
+
+use super::Fault;
 
 /// How much of a line is shown in an error.
 const SHOWN: usize = 200;
@@ -28,6 +31,13 @@ impl<'a> ObjLine<'a> {
         }
     }
 
+    /// What is wrong with it, and with which of its words, if it is with one.
+    pub(super) fn fault(&self, word: Option<&str>, what: String, help: &str) -> Fault {
+        let text = self.shown();
+        let wrong = word.and_then(|word| place_of(word, &text));
+        Fault { line: self.number, text, wrong, what, help: help.to_owned() }
+    }
+
     /// Its first line of text, to be shown in an error.
     pub(super) fn shown(&self) -> String {
         let first = self.raw.lines().next().unwrap_or_default().trim_end();
@@ -36,6 +46,16 @@ impl<'a> ObjLine<'a> {
             None => first.to_owned(),
         }
     }
+}
+
+/// Where a word stands first behind the keyword of a line. What is checked first is found first, so that
+/// the first of several that are equal is the one that is meant.
+fn place_of(word: &str, line: &str) -> Option<Range<usize>> {
+    let place = |found: &str| {
+        let start = found.as_ptr() as usize - line.as_ptr() as usize;
+        start..start + found.len()
+    };
+    without_comment(line).split_ascii_whitespace().skip(1).find(|found| *found == word).map(place)
 }
 
 fn without_comment(text: &str) -> &str {

@@ -15,6 +15,8 @@ mod explain;
 mod lines;
 mod tobj_input;
 
+use std::ops::Range;
+
 use glam::Vec3;
 
 use super::MeshData;
@@ -28,6 +30,8 @@ pub(super) struct Fault {
     pub(super) line: usize,
     /// The line.
     pub(super) text: String,
+    /// The word of it that is wrong, if it is one.
+    pub(super) wrong: Option<Range<usize>>,
     /// What is wrong with it.
     pub(super) what: String,
     /// What would be right.

@@ -122,26 +122,36 @@ impl<'a> TobjInput<'a> {
         let (mut number, mut lacks) = (0, false);
         for corner in corners.split_ascii_whitespace() {
             number += 1;
-            let [position, normal] = parse_corner(corner).map_err(|what| at(line, what))?;
+            let [position, normal] =
+                parse_corner(corner).map_err(|what| at(line, Some(corner), what))?;
             let Some(position) = position else {
-                return Err(at(line, format!("the corner `{corner}` has no vertex")));
+                let what = format!("the corner `{corner}` has no vertex");
+                return Err(at(line, Some(corner), what));
             };
-            self.check_index(position, Index::Position, line)?;
+            self.check_index(position, Index::Position, corner, line)?;
             match normal {
-                Some(normal) => self.check_index(normal, Index::Normal, line)?,
+                Some(normal) => self.check_index(normal, Index::Normal, corner, line)?,
                 None => lacks = true,
             }
         }
         if number < 3 {
-            return Err(at(line, format!("a face needs three corners, here {}", been(number))));
+            let what = format!("a face needs three corners, here {}", been(number));
+            return Err(at(line, None, what));
         }
         Ok(lacks && self.all_normals() > 0)
     }
 
-    fn check_index(&mut self, index: i64, of: Index, line: &ObjLine<'a>) -> Result<(), Fault> {
+    fn check_index(
+        &mut self,
+        index: i64,
+        of: Index,
+        corner: &str,
+        line: &ObjLine<'a>,
+    ) -> Result<(), Fault> {
         let before = of.count(self.counts);
         if index == 0 {
-            return Err(at(line, format!("the {} index is 0: indices start at 1", of.name())));
+            let what = format!("the {} index is 0: indices start at 1", of.name());
+            return Err(at(line, Some(corner), what));
         }
         let back = index.unsigned_abs() as usize;
         if index < 0 && back > before {
@@ -150,7 +160,7 @@ impl<'a> TobjInput<'a> {
                 of.name(),
                 been(before)
             );
-            return Err(at(line, what));
+            return Err(at(line, Some(corner), what));
         }
         let furthest = &mut self.furthest[of as usize];
         if index > 0 && back > furthest.0 {
@@ -170,7 +180,12 @@ impl<'a> TobjInput<'a> {
                     "the {name} index {index} is out of range: there {} in the file",
                     been(count)
                 );
-                return Err(at(line, what));
+                let content = line.content();
+                let corner = content.split_ascii_whitespace().skip(1).find(|corner| {
+                    let indices = parse_corner(corner).unwrap_or_default();
+                    indices[of as usize] == i64::try_from(*index).ok()
+                });
+                return Err(at(line, corner, what));
             }
         }
         Ok(())
@@ -236,10 +251,10 @@ fn without_color(content: &str) -> &str {
     &content[..end]
 }
 
-fn at(line: &ObjLine<'_>, what: String) -> Fault {
+fn at(line: &ObjLine<'_>, corner: Option<&str>, what: String) -> Fault {
     let help = "a face is `f` and three or more corners, each `v`, `v/vt`, `v//vn` or `v/vt/vn`, \
                 counted from 1, or from the last one back: -1, -2, …";
-    Fault { line: line.number, text: line.shown(), what, help: help.to_owned() }
+    line.fault(corner, what, help)
 }
 
 /// "are none", "is 1", "are 2".

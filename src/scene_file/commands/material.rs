@@ -1,7 +1,7 @@
 //! The commands that change the material in force.
 
 use crate::scene_file::action::{Row, change};
-use crate::scene_file::command::{RGB, SceneCommand, ValueKind, value};
+use crate::scene_file::command::{REFLECTANCE, RGB, SceneCommand, ValueKind, value};
 
 pub(super) const ROWS: &[Row] = &[
     Row {
@@ -17,7 +17,7 @@ pub(super) const ROWS: &[Row] = &[
     Row {
         command: SceneCommand {
             keyword: "cr",
-            values: RGB,
+            values: REFLECTANCE,
             summary: "the diffuse and ambient reflectance",
             example: "cr 0.8 0.3 0.2",
             also_called: &["diffuse", "color", "colour"],
@@ -27,7 +27,7 @@ pub(super) const ROWS: &[Row] = &[
     Row {
         command: SceneCommand {
             keyword: "cp",
-            values: RGB,
+            values: REFLECTANCE,
             summary: "the specular reflectance; black means neither highlight nor mirror",
             example: "cp 0.5 0.5 0.5",
             also_called: &["specular"],
