@@ -82,9 +82,14 @@ fn print_result(
     Ok(fine)
 }
 
-/// The differences in scenes and the failures in sweeps, a line each.
+/// What does not conform, the differences in scenes and the failures in sweeps, a line each.
 fn differences(comparison: &Comparison) -> Vec<String> {
     let mut lines = Vec::new();
+    for own in &comparison.conformance {
+        if let Some(fault) = own.fault() {
+            lines.push(format!("{} does not conform: {fault}", own.structure));
+        }
+    }
     for scene in &comparison.scenes {
         for entry in scene.proof.iter().flat_map(|proof| &proof.structures) {
             if let Some(difference) = &entry.first_difference {

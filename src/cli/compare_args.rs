@@ -131,14 +131,21 @@ impl CompareArguments {
 #[command(after_help = "\
 The hits of each structure over awkward meshes are compared with those of no structure at all, for\n\
 rays that are made to find differences. The first ray whose hits differ is printed.\n\n\
-Exit codes: 0 all hits are equal, 1 a structure's hits differ or it failed, 2 trouble.\n\n\
+Exit codes: 0 no hit differs, 1 a structure's hits differ or it failed, 2 trouble; 130 interrupted\n\
+by Ctrl-C, 128 + n by another signal n: what was compared until then is printed.\n\n\
 Examples:\n  \
 srt conformance\n  \
+srt conformance --accel bvh --budget 10\n  \
 srt conformance --accel bvh8:builder=ploc,leaf=4,bvh")]
 pub(crate) struct ConformanceArguments {
     /// The acceleration structures, with commas between them [default: all]
     #[arg(long, value_name = "NAMES", value_parser = Structures::default().list_parser())]
     pub(crate) accel: Vec<StructureList>,
+
+    /// How long each structure may take [default: as long as it needs]; what it had no time for is
+    /// said
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = seconds)]
+    pub(crate) budget: Option<Duration>,
 
     /// Print nothing but differences and errors
     #[arg(long, short)]

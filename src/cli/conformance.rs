@@ -7,40 +7,55 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::compare_args::ConformanceArguments;
 use super::exit::{CommandResult, Exit};
+use super::interrupt::Interrupt;
 use super::output::print;
 use super::terminal::print_error;
 use crate::compare::catch_panic;
+use crate::conformance::Limits;
 use crate::scene::Structure;
 
 const TEMPLATE: &str = "{bar:32} {percent:>3} %  {msg}";
 
-/// Checks every structure, also after one that fails; the worst decides how the command ends.
-pub(super) fn run(arguments: &ConformanceArguments) -> CommandResult {
+/// Checks every structure, also after one that fails; the worst decides how the command ends. A signal
+/// ends it with what is known.
+pub(super) fn run(arguments: &ConformanceArguments, interrupt: &Interrupt) -> CommandResult {
     let mut worst = Exit::Fine;
     for structure in arguments.structures() {
-        let (exit, text) = check(&structure, arguments.quiet);
+        let (exit, text) = interrupt.cancellable(|| check(&structure, arguments, interrupt));
         match exit {
             Exit::Trouble => print_error(text),
-            Exit::Fine if arguments.quiet => {}
+            Exit::Fine | Exit::Interrupted(_) if arguments.quiet => {}
             _ => print(&format!("{}: {text}\n", structure.name))?,
         }
         if exit.code() > worst.code() {
             worst = exit;
+        }
+        if exit == interrupt.exit() {
+            break;
         }
     }
     Ok(worst)
 }
 
 /// What one structure came to, and that in words.
-fn check(structure: &Structure, quiet: bool) -> (Exit, String) {
-    let bar = bar(structure.name, quiet);
+fn check(
+    structure: &Structure,
+    arguments: &ConformanceArguments,
+    interrupt: &Interrupt,
+) -> (Exit, String) {
+    let bar = bar(structure.name, arguments.quiet);
     let progress = |done: usize, of: usize| {
         bar.set_length(of as u64);
         bar.set_position(done as u64);
     };
-    let checked = catch_panic(|| structure.check(&progress));
+    let cancelled = || interrupt.is_requested();
+    let limits = Limits { time: arguments.budget, cancelled: &cancelled, progress: &progress };
+    let checked = catch_panic(|| structure.check(&limits));
     bar.finish_and_clear();
     match checked {
+        Ok(Some(Ok(summary))) if interrupt.is_requested() => {
+            (interrupt.exit(), summary.to_string())
+        }
         Ok(Some(Ok(summary))) => (Exit::Fine, summary.to_string()),
         Ok(Some(Err(difference))) => (Exit::Negative, difference.to_string()),
         Err(message) => (Exit::Negative, message),
@@ -105,14 +120,16 @@ mod tests {
     #[test]
     fn what_is_wrong_is_told_and_ends_with_1() {
         let losing = Structure::new::<Exhaustive, Wrong<false>>("losing", "loses a triangle");
-        let (exit, text) = check(&losing, true);
+        let arguments = |accel| ConformanceArguments { accel, budget: None, quiet: true };
+        let (none, free) = (arguments(vec![]), Interrupt::default());
+        let (exit, text) = check(&losing, &none, &free);
         assert_eq!(exit, Exit::Negative);
         assert!(text.starts_with("mesh `nested` times 1e0"), "{text}");
         assert!(text.contains("\n  expected Hit"), "{text}");
         let panicking = Structure::new::<Exhaustive, Wrong<true>>("panicking", "panics");
-        assert_eq!(check(&panicking, true).1, "it panicked: out of luck");
+        assert_eq!(check(&panicking, &none, &free).1, "it panicked: out of luck");
         let accel = vec![StructureList(vec![panicking, losing])];
-        let exit = run(&ConformanceArguments { accel, quiet: true }).unwrap();
+        let exit = run(&arguments(accel), &free).unwrap();
         assert_eq!(exit, Exit::Negative);
     }
 

@@ -99,7 +99,7 @@ fn dispatch(structures: &Structures) -> CommandResult {
         None => render::run(arguments.render, &interrupt),
         Some(Command::Check(check)) => check::run(&check),
         Some(Command::Compare(compare)) => compare::run(&compare, &interrupt),
-        Some(Command::Conformance(check)) => conformance::run(&check),
+        Some(Command::Conformance(check)) => conformance::run(&check, &interrupt),
         Some(Command::Report(report)) => report::run(&report),
         Some(Command::Diff(diff)) => diff::run(&diff),
         Some(Command::Mesh(mesh)) => mesh::run(&mesh),

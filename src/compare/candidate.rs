@@ -3,9 +3,10 @@
 use std::time::Duration;
 
 use crate::accel::BuildConfig;
-use crate::record::{Status, StructureRecord};
-use crate::scene::{BuildReport, Scene, Structure, TracedWorld, structure_named};
+use crate::record::{Conformance, Status, StructureRecord};
+use crate::scene::{BuildReport, Scene, Structure, TracedWorld};
 
+use super::conformance::reason_not_to_time;
 use super::panics::catch_panic;
 
 /// A structure, what it was built into, and its row of the report.
@@ -14,6 +15,8 @@ pub(super) struct Candidate<'a> {
     /// Absent before the build, and after a failure.
     world: Option<Box<dyn TracedWorld>>,
     pub(super) record: StructureRecord,
+    /// Why it is not to be timed, if it does not conform.
+    unfit: Option<String>,
 }
 
 impl<'a> Candidate<'a> {
@@ -23,7 +26,24 @@ impl<'a> Candidate<'a> {
             peer: structure.peer,
             ..Default::default()
         };
-        Self { structure, world: None, record }
+        Self { structure, world: None, record, unfit: None }
+    }
+
+    /// The same, not to be timed if it does not conform.
+    pub(super) fn judged_by(self, checked: &[Conformance]) -> Self {
+        Self { unfit: reason_not_to_time(checked, self.name()), ..self }
+    }
+
+    /// Whether nothing is known against it before its first ray in a scene.
+    pub(super) fn is_fit(&self) -> bool {
+        self.unfit.is_none()
+    }
+
+    /// Takes it out of the comparison if it does not conform, unless it has failed before.
+    pub(super) fn fail_if_unfit(&mut self) {
+        if let Some(reason) = self.unfit.clone().filter(|_| self.can_trace()) {
+            self.fail(reason);
+        }
     }
 
     pub(super) fn name(&self) -> &'static str {
@@ -38,7 +58,7 @@ impl<'a> Candidate<'a> {
 
     /// Whether the library has it, and nobody is trying it out.
     pub(super) fn is_of_library(&self) -> bool {
-        structure_named(self.structure.base_name()).is_some()
+        self.structure.is_of_library()
     }
 
     /// Builds it, on the threads of the current rayon pool, and keeps what was built.

@@ -11,6 +11,7 @@
 //! |---|---|
 //! | `plan.rs`, `budget.rs`, `observer.rs`, `progress.rs` | what to compare, the time for it, who watches |
 //! | `run.rs` | the whole plan |
+//! | `conformance.rs` | whether structures from outside keep the contract, before all scenes |
 //! | `scene.rs`, `scene/` | one scene: its steps, one file each |
 //! | `context.rs`, `pools.rs` | what the steps share: a scene and its plan, threads |
 //! | `candidate.rs`, `panics.rs` | a structure with its row of the report, and its panics |
@@ -67,6 +68,7 @@ mod candidate;
 mod class_rounds;
 mod clock;
 mod commit;
+mod conformance;
 mod context;
 mod extra_rays;
 mod hardware;

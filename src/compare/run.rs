@@ -7,10 +7,13 @@ use rayon::ThreadPoolBuildError;
 use thiserror::Error;
 
 use crate::image_io::Picture;
-use crate::record::{Comparison, Options, Proof, Run, SceneRecord, Status, StructureRecord};
+use crate::record::{
+    Comparison, Conformance, Options, Proof, Run, SceneRecord, Status, StructureRecord,
+};
 use crate::scene::{Scene, Structure};
 
 use super::budget::Budget;
+use super::conformance::check_conformance;
 use super::machine::build_of_program;
 use super::observer::Observer;
 use super::plan::{Plan, SceneInput};
@@ -31,13 +34,14 @@ pub struct ComparisonResult {
 
 impl ComparisonResult {
     /// Whether no structure failed: all gave the same hits and pictures wherever that was checked,
-    /// and enough of a peer's results agreed. A peer that cannot trace the scene's shapes is no
-    /// failure.
+    /// in the check of conformance too, and enough of a peer's results agreed. A peer that cannot trace
+    /// the scene's shapes is no failure.
     #[must_use]
     pub fn holds(&self) -> bool {
-        let Comparison { scenes, sweeps, .. } = &self.comparison;
+        let Comparison { conformance, scenes, sweeps, .. } = &self.comparison;
         let mut dropped = sweeps.iter().flat_map(|sweep| &sweep.dropped);
         scenes.iter().filter_map(|scene| scene.proof.as_ref()).all(Proof::holds)
+            && conformance.iter().all(Conformance::holds)
             && !dropped.any(|structure| structure.failed)
             && !scenes.iter().any(|scene| scene.structures.iter().any(|row| failed(scene, row)))
     }
@@ -73,7 +77,8 @@ pub enum CompareError {
 }
 
 /// Compares structures by a plan. Ratios are taken to `none` if it is among them, else to the
-/// first.
+/// first. Structures that are not the program's own are checked for conformance before that; one that
+/// differs there is not timed.
 ///
 /// When the observer cancels, what is done until then is returned, marked as partial. A structure
 /// that panics or is too slow gets a row with the reason.
@@ -92,11 +97,13 @@ pub fn run(
     let mut comparison = Comparison::new(describe(plan), base_name(structures));
     let mut pictures = Vec::new();
     let mut parts = Parts::new(plan, observer);
+    comparison.conformance = check_conformance(structures, &pools, parts.budget, observer);
+    let checked = &comparison.conformance;
     let mut results: Vec<Option<SceneResult>> = plan.scenes.iter().map(|_| None).collect();
     for place in cheapest_first(&plan.scenes) {
         let input = &plan.scenes[place];
         results[place] = parts.next(|budget, progress| {
-            compare_scene(input, structures, plan, &pools, budget, progress)
+            compare_scene(input, structures, checked, plan, &pools, budget, progress)
         });
     }
     // What was measured before a stop is kept.
@@ -106,11 +113,11 @@ pub fn run(
         pictures.extend(result.pictures);
     }
     if let Some(growth) = &plan.sweep {
-        comparison
-            .sweeps
-            .extend(parts.next(|budget, progress| {
-                sweep(growth, structures, plan, &pools, budget, progress)
-            }));
+        let checked = &comparison.conformance;
+        let growth = parts.next(|budget, progress| {
+            sweep(growth, structures, checked, plan, &pools, budget, progress)
+        });
+        comparison.sweeps.extend(growth);
     }
     if plan.sampling_study
         && let Some(study) =

@@ -12,7 +12,7 @@ mod recording;
 mod rendering;
 
 use crate::image_io::Picture;
-use crate::record::{PictureFile, SceneRecord};
+use crate::record::{Conformance, PictureFile, SceneRecord};
 use crate::scene::Structure;
 
 use super::budget::Budget;
@@ -33,10 +33,11 @@ pub(super) struct SceneResult {
     pub(super) notes: Vec<String>,
 }
 
-/// Compares structures in a scene.
+/// Compares structures in a scene. `checked` is what the check of conformance showed.
 pub(super) fn compare_scene(
     input: &SceneInput,
     structures: &[Structure],
+    checked: &[Conformance],
     plan: &Plan,
     pools: &Pools,
     budget: Budget,
@@ -44,7 +45,8 @@ pub(super) fn compare_scene(
 ) -> SceneResult {
     let cancelled = || progress.cancelled();
     let context = SceneContext { scene: &input.scene, plan, pools, cancelled: &cancelled };
-    let mut candidates: Vec<Candidate<'_>> = structures.iter().map(Candidate::new).collect();
+    let candidate = |structure| Candidate::new(structure).judged_by(checked);
+    let mut candidates: Vec<Candidate<'_>> = structures.iter().map(candidate).collect();
     let mut result = SceneResult::of(input);
     let begin = |step: &str| {
         let goes_on = !progress.cancelled();
@@ -76,6 +78,8 @@ fn take_steps(
     let rays = recording::record_rays(context, candidates);
     begin("comparing hits")?;
     result.record.proof = comparing_hits::compare_hits(context, candidates, &rays, budget);
+    // Its hits in this scene are worth knowing, its times are not.
+    candidates.iter_mut().for_each(Candidate::fail_if_unfit);
     begin("rendering")?;
     let proof = result.record.proof.as_mut();
     let rendered = rendering::render_all(context, candidates, &rays, proof, budget);

@@ -13,7 +13,7 @@ use crate::description::{
     Camera, Light, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape,
 };
 use crate::math::Color;
-use crate::record::{Dropped, Status, Sweep, SweepPoint};
+use crate::record::{Conformance, Dropped, Status, Sweep, SweepPoint};
 use crate::render::Settings;
 use crate::scene::{Scene, SceneError, Structure};
 
@@ -36,10 +36,11 @@ const SIDE: u32 = 200;
 /// on it.
 const TRACED: u64 = 100_000;
 
-/// Builds and traces all sizes.
+/// Builds and traces all sizes. `checked` is what the check of conformance showed.
 pub(super) fn sweep(
     sweep: &SweepPlan,
     structures: &[Structure],
+    checked: &[Conformance],
     plan: &Plan,
     pools: &Pools,
     budget: Budget,
@@ -58,7 +59,7 @@ pub(super) fn sweep(
         let cancelled = || progress.cancelled();
         let context = SceneContext { scene: &scene, plan, pools, cancelled: &cancelled };
         let share = budget.share(share_of_first(&sweep.sizes[done..]));
-        let candidates = measure(&context, &left, share, &mut record.rays_checked);
+        let candidates = measure(&context, &left, checked, share, &mut record.rays_checked);
         let triangles = scene.triangle_count();
         left.retain(|structure| {
             let own = candidates.iter().find(|candidate| candidate.name() == structure.name);
@@ -80,16 +81,19 @@ fn share_of_first(sizes: &[u32]) -> f64 {
 fn measure<'a>(
     context: &SceneContext<'_>,
     left: &[&'a Structure],
+    checked: &[Conformance],
     budget: Budget,
     rays_checked: &mut u64,
 ) -> Vec<Candidate<'a>> {
     let sets = rays(context);
-    let mut candidates: Vec<Candidate<'_>> = left.iter().map(|&own| Candidate::new(own)).collect();
+    let candidate = |&own: &&'a Structure| Candidate::new(own).judged_by(checked);
+    let mut candidates: Vec<Candidate<'_>> = left.iter().map(candidate).collect();
     for candidate in &mut candidates {
         context.pools.all.install(|| candidate.build(context.scene, &context.plan.build));
     }
     let times: Vec<RayTimes> = candidates.iter_mut().map(|own| ray_times(own, &sets)).collect();
     *rays_checked += compare_hits(&mut candidates, &sets, &times, budget);
+    candidates.iter_mut().for_each(Candidate::fail_if_unfit);
     if !replay_all(context, &mut candidates, &sets, &times, budget).whole {
         candidates.iter_mut().for_each(Candidate::mark_stopped);
     }
@@ -104,7 +108,10 @@ fn compare_hits(
     times: &[RayTimes],
     budget: Budget,
 ) -> u64 {
-    let can_be = |i: &usize| candidates[*i].can_trace() && !candidates[*i].is_peer();
+    let can_be = |i: &usize| {
+        let own = &candidates[*i];
+        own.can_trace() && !own.is_peer() && own.is_fit()
+    };
     let order = |i: &usize| (!candidates[*i].is_of_library(), time_of_all(&times[*i], sets));
     let Some(reference) = (0..candidates.len()).filter(can_be).min_by_key(order) else { return 0 };
     let time = proof::time_for_class(budget.left(), candidates.len(), sets.len());

@@ -14,86 +14,33 @@
 
 pub mod adversarial_rays;
 pub mod axis_grids;
+mod case;
+mod difference;
+mod limits;
 pub mod nasty_meshes;
 mod one_by_one;
+mod summary;
 
-use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
 
 use glam::Vec3;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-use crate::accel::{
-    Accel, AnyHit, BuildConfig, BuildOptions, ClosestHit, Exhaustive, Indexed, Primitives, Quality,
-    Query, Scratch,
-};
-use crate::counters::{Counts, NoCounters};
-use crate::math::{Hit, Ray};
+use crate::accel::{Accel, BuildOptions};
 use crate::shapes::TriangleSet;
 
-use adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
-use axis_grids::grids_over;
-use nasty_meshes::Mesh;
+use case::{Case, Triangles};
+use limits::Shares;
 use one_by_one::OneByOne;
 
-/// Rays that are aimed at each mesh in each place; about as many again are made of them.
-const RAYS: usize = 2_000;
+pub use difference::{Answer, FirstDifference, Way};
+pub use limits::{Limits, Progress};
+pub use summary::Summary;
 
 /// Where each mesh is put: scales that round otherwise, and a place far off.
 const PLACES: [(f32, Vec3); 4] =
     [(1.0, Vec3::ZERO), (1e6, Vec3::ZERO), (1e-6, Vec3::ZERO), (1e3, Vec3::splat(1e6))];
-
-/// What was compared, with no difference.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Summary {
-    /// Meshes, each scaled and moved in several ways.
-    pub meshes: usize,
-    /// Rays, each searched for its closest and for any hit, in slices and alone.
-    pub rays: usize,
-    /// How many of them hit something.
-    pub hits: usize,
-}
-
-/// The first ray whose answers differ.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub struct FirstDifference {
-    /// The mesh, by its name in [`nasty_meshes`].
-    pub mesh: &'static str,
-    /// What it was scaled by.
-    pub scale: f32,
-    /// What it was moved by after that.
-    pub offset: Vec3,
-    /// How the structure was to be built.
-    pub quality: Quality,
-    /// How the ray was searched for.
-    pub way: Way,
-    /// The ray.
-    pub ray: Ray,
-    /// What every structure must answer.
-    pub expected: Answer,
-    /// What this one did.
-    pub got: Answer,
-}
-
-/// Both answers for a ray.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Answer {
-    /// Its first hit.
-    pub hit: Hit,
-    /// Whether it hits anything.
-    pub blocked: bool,
-}
-
-/// How rays are searched for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
-    /// Many in a slice.
-    Slice,
-    /// Many in a slice, and what is tested counted.
-    Counted,
-    /// By themselves.
-    Alone,
-}
 
 /// Compares a structure over the triangles of [`nasty_meshes`] with [`Exhaustive`], by
 /// [`adversarial_rays`] and [`axis_grids`] at scales from 10⁻⁶ to 10⁶.
@@ -104,224 +51,127 @@ pub enum Way {
 /// # Panics
 /// Where the structure does.
 pub fn check<A: Accel>() -> Result<Summary, FirstDifference> {
-    check_with::<A>(&BuildOptions::NONE, &|_, _| ())
+    check_with::<A>(&BuildOptions::NONE, &Limits::NONE)
 }
 
-/// [`check`] of a structure as it is built with options. `progress` is called with how many parts of
-/// the work are done, and of how many; from several threads, not always in order.
+/// [`check`] of a structure as it is built with options, within limits. Where these end it, the
+/// summary is of what was compared until then.
+///
+/// ```no_run
+/// use std::time::Duration;
+/// use srt::accel::{BuildOptions, Bvh};
+/// use srt::conformance::{Limits, check_with};
+///
+/// let limits = Limits { time: Some(Duration::from_secs(2)), ..Limits::NONE };
+/// match check_with::<Bvh>(&BuildOptions::NONE, &limits) {
+///     Ok(summary) if summary.is_whole() => println!("it keeps the contract: {summary}"),
+///     Ok(summary) => println!("nothing is known against it: {summary}"),
+///     Err(difference) => println!("it does not: {difference}"),
+/// }
+/// ```
 ///
 /// # Errors
-/// As of [`check`].
+/// As of [`check`]. Which ray is the first may depend on limits that end the check.
 ///
 /// # Panics
 /// Where the structure does.
 pub fn check_with<A: Accel>(
     options: &BuildOptions,
-    progress: &Progress,
+    limits: &Limits<'_>,
 ) -> Result<Summary, FirstDifference> {
-    check_over::<TriangleSet, A>(options, progress)
+    check_over::<TriangleSet, A>(options, limits)
 }
 
 /// [`check_with`], where triangles are tested one by one, as the objects of a scene are, and not in
 /// packs.
 ///
 /// # Errors
-/// As of [`check`].
+/// As of [`check_with`].
 ///
 /// # Panics
 /// Where the structure does.
 pub fn check_one_by_one<A: Accel>(
     options: &BuildOptions,
-    progress: &Progress,
+    limits: &Limits<'_>,
 ) -> Result<Summary, FirstDifference> {
-    check_over::<OneByOne, A>(options, progress)
-}
-
-/// Is called with how many parts of a check are done, and of how many.
-pub type Progress<'a> = dyn Fn(usize, usize) + Sync + 'a;
-
-/// Triangles, in packs or one by one.
-trait Triangles: Primitives {
-    fn of(mesh: &Mesh) -> Self;
-}
-
-impl Triangles for TriangleSet {
-    fn of(mesh: &Mesh) -> Self {
-        Self::new(&mesh.positions, &mesh.triangles)
-    }
-}
-
-impl Triangles for OneByOne {
-    fn of(mesh: &Mesh) -> Self {
-        Self(TriangleSet::of(mesh))
-    }
+    check_over::<OneByOne, A>(options, limits)
 }
 
 fn check_over<P: Triangles, A: Accel>(
     options: &BuildOptions,
-    progress: &Progress,
+    limits: &Limits<'_>,
 ) -> Result<Summary, FirstDifference> {
     let mut meshes = nasty_meshes::all();
     meshes.push(nasty_meshes::empty("empty"));
-    let cases: Vec<(&Mesh, f32, Vec3)> = meshes
+    let cases: Vec<(usize, Case<'_>)> = meshes
         .iter()
-        .flat_map(|mesh| PLACES.map(|(scale, offset)| (mesh, scale, offset)))
+        .flat_map(|mesh| PLACES.map(|(scale, offset)| Case { mesh, scale, offset }))
+        .enumerate()
         .collect();
-    let done = AtomicUsize::new(0);
+    let shares = Shares::begin(limits.time);
+    let mut summaries = vec![Summary::default(); cases.len()];
+    // What is left of the time goes to the meshes whose shares were too small.
+    let mut left: Vec<(usize, Case<'_>)> = cases.clone();
+    while !left.is_empty() {
+        let (count, all) = (left.len(), cases.len());
+        let compared = check_all::<P, A>(&left, options, limits, &shares, all)?;
+        for (&(number, _), own) in left.iter().zip(compared) {
+            if own.rays >= summaries[number].rays {
+                summaries[number] = own;
+            }
+        }
+        left.retain(|&(number, _)| summaries[number].meshes == 0);
+        if (limits.cancelled)() || shares.is_nearly_spent() || left.len() == count {
+            break;
+        }
+    }
+    let none = Summary { all_meshes: cases.len(), ..Summary::default() };
+    Ok(summaries.into_iter().fold(none, Summary::plus))
+}
+
+/// Checks some of all cases in parallel, each in its share of the time.
+fn check_all<P: Triangles, A: Accel>(
+    cases: &[(usize, Case<'_>)],
+    options: &BuildOptions,
+    limits: &Limits<'_>,
+    shares: &Shares,
+    all: usize,
+) -> Result<Vec<Summary>, FirstDifference> {
+    let (begun, done) = (AtomicUsize::new(0), AtomicUsize::new(all - cases.len()));
+    // Behind a difference nothing needs to be compared; before it, there may be one that counts as the first.
+    let first_wrong = AtomicUsize::new(usize::MAX);
+    let threads = rayon::current_num_threads();
     let results: Vec<_> = cases
         .par_iter()
-        .map(|&(mesh, scale, offset)| {
-            let result = check_in_place::<P, A>(mesh, (scale, offset), options);
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1, cases.len());
+        .map(|&(number, case)| {
+            let left = cases.len() - begun.fetch_add(1, Ordering::Relaxed);
+            let end = shares.end_of_next(left.div_ceil(threads));
+            let ended = || {
+                first_wrong.load(Ordering::Relaxed) < number
+                    || end.is_some_and(|end| Instant::now() >= end)
+                    || (limits.cancelled)()
+            };
+            let result = case.check::<P, A>(options, &ended);
+            if result.is_err() {
+                first_wrong.fetch_min(number, Ordering::Relaxed);
+            }
+            (limits.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, all);
             result
         })
         .collect();
-    let mut summary = Summary { meshes: meshes.len(), ..Summary::default() };
-    for result in results {
-        let (rays, hits) = result?;
-        summary.rays += rays;
-        summary.hits += hits;
-    }
-    Ok(summary)
-}
-
-/// Compares on one mesh in one place: how many rays, and how many hits.
-fn check_in_place<P: Triangles, A: Accel>(
-    mesh: &Mesh,
-    (scale, offset): (f32, Vec3),
-    options: &BuildOptions,
-) -> Result<(usize, usize), FirstDifference> {
-    let moved = mesh.moved(scale, offset);
-    let none = indexed::<TriangleSet, Exhaustive>(&moved, Quality::Medium, &BuildOptions::NONE);
-    // Even where there is nothing, rays are aimed at something.
-    let target = if mesh.triangles.is_empty() { nasty_meshes::single() } else { moved.clone() };
-    let aimed_at = rays_at(&target, RAYS, 99);
-    let aimed = answers(&none, &aimed_at, Way::Slice);
-    let hits: Vec<Hit> = aimed.iter().map(|answer| answer.hit).collect();
-    let mut rays = aimed_at.clone();
-    rays.extend(bundles_around(&aimed_at[..RAYS / 64]));
-    rays.extend(grids_over(&target, 8, 23));
-    // Last, because their number is any: the others go together by sixteens.
-    rays.extend(rays_cut_at_hits(&aimed_at, &hits));
-    let expected = answers(&none, &rays, Way::Slice);
-    // The quality is what the tree looks like, and the scale how numbers round: not all of both.
-    let qualities: &[Quality] = match scale {
-        1.0 => &[Quality::Fastest, Quality::Medium, Quality::Slowest],
-        _ => &[Quality::Medium],
-    };
-    for &quality in qualities {
-        let own = indexed::<P, A>(&moved, quality, options);
-        for way in [Way::Slice, Way::Counted, Way::Alone] {
-            let got = answers(&own, &rays, way);
-            if let Some(i) = (0..rays.len()).find(|&i| !got[i].same_bits(&expected[i])) {
-                let (ray, expected, got) = (rays[i], expected[i], got[i]);
-                let mesh = mesh.name;
-                return Err(FirstDifference {
-                    mesh,
-                    scale,
-                    offset,
-                    quality,
-                    way,
-                    ray,
-                    expected,
-                    got,
-                });
-            }
-        }
-    }
-    Ok((rays.len(), expected.iter().filter(|answer| answer.hit.is_hit()).count()))
-}
-
-fn indexed<P: Triangles, A: Accel>(
-    mesh: &Mesh,
-    quality: Quality,
-    options: &BuildOptions,
-) -> Indexed<P, A> {
-    let config = BuildConfig { quality, options: options.clone(), ..BuildConfig::default() };
-    Indexed::build(P::of(mesh), &config)
-}
-
-fn answers<P: Primitives, A: Accel>(index: &Indexed<P, A>, rays: &[Ray], way: Way) -> Vec<Answer> {
-    if way == Way::Alone {
-        let alone = |ray| Answer { hit: index.hit(ray), blocked: index.occluded(ray) };
-        return rays.iter().map(alone).collect();
-    }
-    let hits = of_slice(index, ClosestHit, rays, way);
-    let blocked = of_slice(index, AnyHit, rays, way);
-    hits.into_iter().zip(blocked).map(|(hit, blocked)| Answer { hit, blocked }).collect()
-}
-
-fn of_slice<P: Primitives, A: Accel, Q: Query>(
-    index: &Indexed<P, A>,
-    query: Q,
-    rays: &[Ray],
-    way: Way,
-) -> Vec<Q::Answer> {
-    let mut answers: Vec<_> = rays.iter().map(|ray| query.start(ray)).collect();
-    let mut scratch = Scratch::default();
-    match way {
-        Way::Counted => {
-            index.search(&query, rays, &mut answers, &mut scratch, &mut Counts::default());
-        }
-        _ => index.search(&query, rays, &mut answers, &mut scratch, &mut NoCounters),
-    }
-    answers
-}
-
-impl Answer {
-    fn same_bits(&self, other: &Self) -> bool {
-        self.hit.same_bits(&other.hit) && self.blocked == other.blocked
-    }
-}
-
-impl fmt::Display for Summary {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { meshes, rays, hits } = self;
-        write!(f, "{rays} rays at {meshes} meshes, {hits} of them hits: all results are equal")
-    }
-}
-
-impl fmt::Display for FirstDifference {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { mesh, scale, offset, ray, .. } = self;
-        let (quality, way) = (self.quality.name(), self.way);
-        writeln!(
-            f,
-            "mesh `{mesh}` times {scale:e} plus {offset}, built `{quality}`, traced {way}: {ray:?}"
-        )?;
-        writeln!(f, "  got      {}", self.got)?;
-        write!(f, "  expected {}", self.expected)
-    }
-}
-
-impl fmt::Display for Answer {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let blocked = if self.blocked { "blocked" } else { "not blocked" };
-        match self.hit.is_hit() {
-            true => write!(f, "{:?}, {blocked}", self.hit),
-            false => write!(f, "no hit, {blocked}"),
-        }
-    }
-}
-
-impl fmt::Display for Way {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Slice => "in a slice",
-            Self::Counted => "in a slice, counting",
-            Self::Alone => "alone",
-        })
-    }
+    results.into_iter().collect()
 }
 
 #[cfg(test)]
 mod tests {
     use std::ops::{ControlFlow, Range};
+    use std::time::Duration;
 
+    use super::case::{answers, indexed};
     use super::*;
-    use crate::accel::{Bounded, Build, Built};
+    use crate::accel::{Bounded, Build, Built, Exhaustive};
     use crate::counters::Counters;
-    use crate::math::BoxRay;
+    use crate::math::{BoxRay, Ray};
 
     /// Every primitive but those behind the end of the search: a tie at the end is lost, since the
     /// comparison is not inclusive.
@@ -383,9 +233,56 @@ mod tests {
                 last.store(of, Ordering::Relaxed);
             }
         };
-        let summary = check_one_by_one::<Exhaustive>(&BuildOptions::NONE, &progress).unwrap();
-        assert_eq!(summary.meshes, 7);
+        let limits = Limits { progress: &progress, ..Limits::NONE };
+        let summary = check_one_by_one::<Exhaustive>(&BuildOptions::NONE, &limits).unwrap();
+        assert_eq!((summary.meshes, summary.all_meshes), (28, 28), "seven meshes in four places");
         assert!(summary.hits > summary.rays / 10, "{summary}");
         assert_eq!((parts.into_inner(), last.into_inner()), (28, 28));
+    }
+
+    /// No structure, after a millisecond a ray.
+    struct Slow(Exhaustive);
+
+    impl Accel for Slow {
+        fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
+            let Built { accel, order } = Exhaustive::build(primitives, build);
+            Built { accel: Self(accel), order }
+        }
+
+        fn traverse<C: Counters>(
+            &self,
+            ray: &Ray,
+            box_ray: &BoxRay,
+            counters: &mut C,
+            leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
+        ) {
+            std::thread::sleep(Duration::from_millis(1));
+            self.0.traverse(ray, box_ray, counters, leaf);
+        }
+
+        fn bytes(&self) -> u64 {
+            0
+        }
+    }
+
+    #[test]
+    fn what_is_slow_is_compared_on_some_rays_of_all_meshes() {
+        // All rays would take more than half an hour.
+        let limits = Limits { time: Some(Duration::from_secs(6)), ..Limits::NONE };
+        let start = Instant::now();
+        let summary = check_with::<Slow>(&BuildOptions::NONE, &limits).unwrap();
+        assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
+        assert!(!summary.is_whole() && summary.rays > 100 && summary.meshes == 0, "{summary}");
+        let text = summary.to_string();
+        assert!(text.ends_with("ended with 0 of 28 meshes compared in full"), "{text}");
+    }
+
+    #[test]
+    fn a_check_ends_when_it_is_cancelled() {
+        let calls = AtomicUsize::new(0);
+        let cancelled = || calls.fetch_add(1, Ordering::Relaxed) >= 3;
+        let limits = Limits { cancelled: &cancelled, ..Limits::NONE };
+        let summary = check_with::<Exhaustive>(&BuildOptions::NONE, &limits).unwrap();
+        assert!(!summary.is_whole() && summary.meshes == 0 && summary.rays <= 64, "{summary}");
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Baseline, Run, SamplingChapter, SceneRecord, Sweep};
+use super::{Baseline, Conformance, Run, SamplingChapter, SceneRecord, Sweep};
 
 /// The version of the record. It is raised when a field changes its meaning or is removed. A new field that may be
 /// absent does not raise it, and neither does a new name for a field whose old name is still read.
@@ -18,6 +18,10 @@ pub struct Comparison {
     /// The structure that ratios are taken to. In a scene where it was not measured, ratios are taken to the first
     /// structure that was.
     pub base: String,
+    /// The checks of the structures that are not the program's own, in the order in which they were named; none in
+    /// older records, which checked none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub conformance: Vec<Conformance>,
     /// The scenes, in the order in which they were named.
     pub scenes: Vec<SceneRecord>,
     /// Cost against the number of triangles, one for each family of meshes.
@@ -39,11 +43,18 @@ impl Comparison {
             schema_version: SCHEMA_VERSION,
             run,
             base: base.into(),
+            conformance: Vec::new(),
             scenes: Vec::new(),
             sweeps: Vec::new(),
             sampling: None,
             baseline: None,
             notes: Vec::new(),
         }
+    }
+
+    /// The check of a structure; `None` if it was not checked.
+    #[must_use]
+    pub fn conformance_of(&self, structure: &str) -> Option<&Conformance> {
+        self.conformance.iter().find(|own| own.structure == structure)
     }
 }

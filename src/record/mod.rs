@@ -11,6 +11,7 @@
 mod baseline;
 mod class;
 mod comparison;
+mod conformance;
 mod estimate;
 mod machine;
 mod proof;
@@ -24,6 +25,7 @@ mod sweep;
 pub use baseline::{Baseline, Change, Changes};
 pub use class::{BlockSample, ClassRecord, HardwareCounters, Round};
 pub use comparison::{Comparison, SCHEMA_VERSION};
+pub use conformance::{Conformance, ConformanceDifference, ConformanceOutcome};
 pub use estimate::{Estimate, Interval};
 pub use machine::Machine;
 pub use proof::{PeerAgreement, Proof, StructureProof};

@@ -10,9 +10,11 @@ pub(super) use sampling::write_sampling;
 use super::Report;
 use super::numbers::exact;
 use crate::analysis::{ClassFigures, SceneFigures, StructureFigures};
-use crate::record::{Estimate, Memory, SceneRecord, Status, StructureRecord};
+use crate::record::{
+    Conformance, ConformanceOutcome, Estimate, Memory, SceneRecord, Status, StructureRecord,
+};
 
-const HEADS: [&str; 37] = [
+const HEADS: [&str; 38] = [
     "scene",
     "triangles",
     "structure",
@@ -50,6 +52,7 @@ const HEADS: [&str; 37] = [
     "picture_ns_low",
     "picture_ns_high",
     "picture_rounds",
+    "conformance",
 ];
 
 /// Writes the table. Its numbers read back equal to those in the JSON's `derived`.
@@ -57,11 +60,12 @@ pub(super) fn write(report: &Report<'_>) -> String {
     let mut text = line(HEADS.map(str::to_owned));
     for (scene, figures) in report.comparison.scenes.iter().zip(&report.analysis.scenes) {
         for (structure, own) in scene.structures.iter().zip(&figures.structures) {
+            let checked = report.comparison.conformance_of(&structure.name);
             if own.classes.is_empty() {
-                text += &line(row(scene, figures, structure, own, None));
+                text += &line(row(scene, figures, structure, own, checked, None));
             }
             for class in &own.classes {
-                text += &line(row(scene, figures, structure, own, Some(class)));
+                text += &line(row(scene, figures, structure, own, checked, Some(class)));
             }
         }
     }
@@ -73,8 +77,9 @@ fn row(
     figures: &SceneFigures,
     record: &StructureRecord,
     own: &StructureFigures,
+    conformance: Option<&Conformance>,
     class: Option<&ClassFigures>,
-) -> [String; 37] {
+) -> [String; 38] {
     let ns = class.and_then(|class| class.ns_per_ray);
     let rate = parts(class.and_then(|class| class.million_rays_per_second));
     let speedup = parts(class.and_then(|class| class.speedup));
@@ -121,6 +126,7 @@ fn row(
         picture_low,
         picture_high,
         whole(own.picture_ns.map(|estimate| estimate.rounds as u64)),
+        conformance.map_or("", state).to_owned(),
     ]
 }
 
@@ -131,6 +137,16 @@ fn status(status: &Status) -> &'static str {
         Status::Failed { .. } => "failed",
         Status::TooSlow { .. } => "too_slow",
         Status::Stopped => "stopped",
+    }
+}
+
+/// What a check of conformance showed, as in the JSON, or that it had no time for all of it.
+fn state(own: &Conformance) -> &'static str {
+    match own.outcome {
+        ConformanceOutcome::Equal if own.is_whole() => "equal",
+        ConformanceOutcome::Equal => "equal_so_far",
+        ConformanceOutcome::Differs(_) => "differs",
+        ConformanceOutcome::Failed { .. } => "failed",
     }
 }
 

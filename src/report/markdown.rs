@@ -21,6 +21,7 @@ pub(super) fn write(report: &Report<'_>) -> String {
     if comparison.run.partial {
         text += "\n**Partial: the comparison was stopped before its plan was done.**\n";
     }
+    add_conformance(comparison, &mut text);
     add_table(&tables::overall_table(report), &mut text);
     add_baseline(comparison, &mut text);
     add_table(&tables::proof_matrix(comparison), &mut text);
@@ -48,6 +49,16 @@ pub(super) fn write(report: &Report<'_>) -> String {
         let _ = writeln!(text, "* {}", escaped(&limit));
     }
     text
+}
+
+fn add_conformance(comparison: &Comparison, text: &mut String) {
+    add_table(&tables::conformance_table(comparison), text);
+    for own in &comparison.conformance {
+        if let Some(fault) = own.fault() {
+            let (structure, fault) = (escaped(&own.structure), escaped(&fault));
+            let _ = write!(text, "\n{structure} does not conform: {fault}\n");
+        }
+    }
 }
 
 fn add_baseline(comparison: &Comparison, text: &mut String) {

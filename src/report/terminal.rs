@@ -13,7 +13,7 @@ use crate::analysis::{SceneFigures, StructureFigures};
 use crate::record::{Baseline, Estimate, RayClass, SceneRecord, Status};
 
 /// Million rays per second by class, build, memory and time to the picture of each structure; growth with the number of
-/// triangles; then the verdicts.
+/// triangles; conformance; then the verdicts.
 pub(super) fn write(report: &Report<'_>) -> String {
     let Report { comparison, analysis, .. } = report;
     let mut text = String::new();
@@ -28,6 +28,14 @@ pub(super) fn write(report: &Report<'_>) -> String {
     for table in analysis.sweeps.iter().flat_map(tables::size_tables) {
         let _ = writeln!(text, "{}", table.title);
         for line in table_lines(&table).lines() {
+            let _ = writeln!(text, "  {line}");
+        }
+        text.push('\n');
+    }
+    let conformance = tables::conformance_table(comparison);
+    if !conformance.rows.is_empty() {
+        let _ = writeln!(text, "conformance of structures that are not srt's own");
+        for line in table_lines(&conformance).lines() {
             let _ = writeln!(text, "  {line}");
         }
         text.push('\n');

@@ -2,7 +2,10 @@
 
 use super::{Report, numbers};
 use crate::analysis::{Analysis, Finding, SceneFigures, StructureFigures, SweepFigures};
-use crate::record::{Comparison, Proof, SceneRecord, Status, StructureProof, StructureRecord};
+use crate::record::{
+    Comparison, Conformance, ConformanceOutcome, Proof, SceneRecord, Status, StructureProof,
+    StructureRecord,
+};
 
 /// How many scenes without a whole proof are named; further ones are counted.
 const NAMED_SCENES: usize = 3;
@@ -19,8 +22,10 @@ pub(super) fn verdict(report: &Report<'_>) -> String {
 pub(super) fn headline(report: &Report<'_>) -> (String, Option<String>) {
     let Report { comparison, analysis, .. } = report;
     let partial = if comparison.run.partial { "Stopped early: " } else { "" };
+    let unfit = nonconforming(comparison);
     if let Some(difference) = difference(comparison) {
-        return (format!("{partial}{difference}"), None);
+        let unfit = unfit.map_or_else(String::new, |unfit| format!("{unfit}. "));
+        return (format!("{partial}{unfit}{difference}"), None);
     }
     let growth = || analysis.sweeps.iter().find_map(growth);
     let speed = match &analysis.finding {
@@ -29,17 +34,36 @@ pub(super) fn headline(report: &Report<'_>) -> (String, Option<String>) {
         None => nothing_found(analysis),
     };
     let equality = equality(comparison);
-    match failures(comparison) {
+    let failed: Vec<String> = unfit.into_iter().chain(failures(comparison)).collect();
+    match (!failed.is_empty()).then(|| failed.join("; ")) {
         Some(failed) => (format!("{partial}{failed}"), Some(format!("{speed}; {equality}."))),
         None => (format!("{partial}{speed}"), Some(format!("{equality}."))),
     }
 }
 
-/// The structures that failed, each once, with the first reason. Peers are left out: they do not support all shapes.
+/// The structures that do not conform, each with what shows it.
+fn nonconforming(comparison: &Comparison) -> Option<String> {
+    let text = |own: &Conformance| {
+        let what = match &own.outcome {
+            ConformanceOutcome::Equal => return None,
+            ConformanceOutcome::Differs(first) => {
+                format!("it gives other hits than no structure at mesh {}", first.mesh)
+            }
+            ConformanceOutcome::Failed { message } => message.clone(),
+        };
+        Some(format!("{} DOES NOT CONFORM and is not timed: {what}", own.structure))
+    };
+    let texts: Vec<String> = comparison.conformance.iter().filter_map(text).collect();
+    (!texts.is_empty()).then(|| texts.join("; "))
+}
+
+/// The other structures that failed, each once, with the first reason. Peers are left out: they do not support all
+/// shapes.
 fn failures(comparison: &Comparison) -> Option<String> {
     let mut failures: Vec<(&str, String, &str)> = Vec::new();
+    let conforms = |name: &str| comparison.conformance_of(name).is_none_or(Conformance::holds);
     let mut add = |name, place, message| {
-        if failures.iter().all(|(other, ..)| *other != name) {
+        if conforms(name) && failures.iter().all(|(other, ..)| *other != name) {
             failures.push((name, place, message));
         }
     };

@@ -2,13 +2,14 @@
 
 use std::any::TypeId;
 use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
 
 use crate::accel::{
     Accel, BoundingBall, BuildConfig, BuildOptions, Bvh, Bvh8, CompressedWideBvh, Exhaustive,
     Indexed, OptionError, OptionInfo, Tracer,
 };
 use crate::assets::expect_memory;
-use crate::conformance::{self, FirstDifference, Progress, Summary};
+use crate::conformance::{self, FirstDifference, Limits, Summary};
 use crate::shapes::TriangleSet;
 
 #[cfg(feature = "embree")]
@@ -45,7 +46,7 @@ pub struct Structure {
 #[derive(Clone, Copy, Debug)]
 struct EqualHits {
     index: fn(TriangleSet, &BuildConfig) -> Box<dyn Tracer>,
-    check: fn(&BuildOptions, &Progress) -> Result<Summary, FirstDifference>,
+    check: fn(&BuildOptions, &Limits<'_>) -> Result<Summary, FirstDifference>,
 }
 
 /// The bytes of a triangle as it is traced: an eighth of a pack.
@@ -175,8 +176,14 @@ impl Structure {
     /// Checks that it gives equal hits, as it is built with its options: see [`conformance`]. `None`
     /// for a peer, which need not.
     #[must_use]
-    pub fn check(&self, progress: &Progress) -> Option<Result<Summary, FirstDifference>> {
-        self.equal.map(|equal| (equal.check)(self.options, progress))
+    pub fn check(&self, limits: &Limits<'_>) -> Option<Result<Summary, FirstDifference>> {
+        self.equal.map(|equal| (equal.check)(self.options, limits))
+    }
+
+    /// Whether the program has it, and nobody is trying it out: whether the table has its name.
+    #[must_use]
+    pub fn is_of_library(&self) -> bool {
+        structure_named(self.base_name).is_some()
     }
 
     fn config(&self, config: &BuildConfig) -> BuildConfig {
@@ -185,21 +192,20 @@ impl Structure {
 }
 
 /// Checks a structure over triangles in packs, and the one over objects as over triangles that are
-/// tested one by one. No structure at all is what the others are compared with.
+/// tested one by one, in half of the time each. No structure at all is what the others are compared with.
 fn check<O: Accel + 'static, T: Accel + 'static>(
     options: &BuildOptions,
-    progress: &Progress,
+    limits: &Limits<'_>,
 ) -> Result<Summary, FirstDifference> {
-    let of_triangles = conformance::check_with::<T>(options, progress)?;
     if TypeId::of::<O>() == TypeId::of::<Exhaustive>() {
-        return Ok(of_triangles);
+        return conformance::check_with::<T>(options, limits);
     }
-    let of_objects = conformance::check_one_by_one::<O>(options, progress)?;
-    Ok(Summary {
-        rays: of_triangles.rays + of_objects.rays,
-        hits: of_triangles.hits + of_objects.hits,
-        ..of_triangles
-    })
+    let start = Instant::now();
+    let half = Limits { time: limits.time.map(|time| time / 2), ..*limits };
+    let of_triangles = conformance::check_with::<T>(options, &half)?;
+    let left = limits.time.map(|time| time.saturating_sub(start.elapsed()));
+    let rest = Limits { time: left, ..*limits };
+    Ok(of_triangles.plus(conformance::check_one_by_one::<O>(options, &rest)?))
 }
 
 /// What was chosen for a structure, and the name of the two.

@@ -12,9 +12,19 @@ fn a_structure_that_gives_equal_hits_has_a_line_that_says_so() {
     let lines: Vec<&str> = stdout.lines().collect();
     assert!(lines[0].starts_with("ball: ") && lines[1].starts_with("bvh:builder=sah,leaf=20: "));
     for line in &lines {
-        assert!(line.contains(" rays at 7 meshes, ") && line.ends_with("all results are equal"));
+        assert!(line.contains(" rays at ") && line.ends_with("all results are equal"));
     }
     assert_eq!(lines.len(), 2, "{stdout}");
+}
+
+#[test]
+fn a_budget_ends_the_check_with_what_is_known() {
+    let typed = ["conformance", "--accel", "bvh", "--budget", "0.001"];
+    let Run { code, stdout, stderr } = run_in(Path::new("."), &typed);
+    assert_eq!((code, stderr.as_str()), (0, ""), "{stdout}");
+    assert!(stdout.contains(": no difference so far; ended with "), "{stdout}");
+    assert!(stdout.ends_with(" of 56 meshes compared in full\n"), "{stdout}");
+    refused(&["conformance", "--budget", "0"], &["--budget"]);
 }
 
 #[test]

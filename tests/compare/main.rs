@@ -4,6 +4,9 @@
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
 mod broken;
+mod conformance;
+#[path = "../../examples/kd_tree/mod.rs"]
+mod kd_tree;
 mod same_rays;
 mod sampling;
 mod slow;

@@ -17,8 +17,10 @@ fn the_verdict_is_one_sentence() {
          mean of 2 scenes (0.925–1.14\u{a0}×), by 614\u{a0}k rays; no difference in 7.36\u{a0}M compared rays and 1 of 2 whole pictures; not compared in a whole \
          picture: hall (no picture from none)."
     );
+    let mut partial = sample::partial();
+    partial.conformance.clear();
     assert_eq!(
-        Report::new(&sample::partial()).verdict(),
+        Report::new(&partial).verdict(),
         "Stopped early: RESULTS DIFFER: cwbvh disagrees with none on bunny in 12 pixels and 3 hits, \
          so its speed cannot be compared."
     );
@@ -203,6 +205,30 @@ fn a_baseline_is_in_every_form() {
         assert!(text.contains("The two runs traced different rays."), "{text}");
         assert!(text.contains("1 of 2 measurements changed by more than 10.0"), "{text}");
     }
+}
+
+#[test]
+fn what_does_not_conform_is_named_first() {
+    let mut comparison = sample::full();
+    comparison.conformance = sample::partial().conformance;
+    let report = Report::new(&comparison);
+    let verdict = report.verdict();
+    let claim = "kd-tree DOES NOT CONFORM and is not timed: it gives other hits than no structure at mesh \
+                 nested; mine DOES NOT CONFORM and is not timed: it panicked: out of | luck; ";
+    assert!(verdict.starts_with(claim), "{verdict}");
+    assert!(
+        verdict.contains(" rays 95") || verdict.contains("× (95"),
+        "the others are compared: {verdict}"
+    );
+    let page = report.html(&Pictures::new());
+    for text in [report.markdown().replace('\\', ""), page] {
+        assert!(text.contains("DIFFERS at mesh nested"), "{text}");
+        assert!(text.contains("traced alone: Ray { origin: Vec3(0.25, 1.0, 5.0)"), "{text}");
+        assert!(text.contains("expected Hit { t: 0.5, object: 0, prim: 7"), "{text}");
+    }
+    let stopped = Report::new(&sample::partial()).verdict();
+    assert!(stopped.starts_with("Stopped early: kd-tree DOES NOT CONFORM"), "{stopped}");
+    assert!(stopped.contains("out of | luck. RESULTS DIFFER: "), "{stopped}");
 }
 
 #[test]

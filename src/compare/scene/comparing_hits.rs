@@ -54,9 +54,10 @@ pub(super) fn compare_hits(
 }
 
 /// The reference: `none`, if it has time for a picture; else the first structure that has, one of the
-/// library if there is any; else the quickest. `fit` are those that have time for a picture.
+/// library if there is any; else the quickest. One that does not conform is none. `fit` are those that
+/// have time for a picture.
 fn reference(candidates: &[Candidate<'_>], rays: &SceneRays, fit: &[usize]) -> Option<usize> {
-    let can_be = |i: &usize| !candidates[*i].is_peer();
+    let can_be = |i: &usize| !candidates[*i].is_peer() && candidates[*i].is_fit();
     let is_foreign = |i: &usize| !candidates[*i].is_of_library();
     let none = || fit.iter().copied().find(|&i| candidates[i].name() == "none");
     let with_time = || fit.iter().copied().filter(can_be).min_by_key(is_foreign);

@@ -9,6 +9,7 @@ pub(super) fn contents(page: &Page<'_>) -> Markup {
     let comparison = page.report.comparison;
     html! {
         nav aria-label="Contents" {
+            @if !comparison.conformance.is_empty() { a href="#conformance" { "Conformance" } }
             @if comparison.scenes.len() > 1 && !page.report.analysis.overall.is_empty() { a href="#overall" { "All scenes" } }
             @if comparison.baseline.is_some() { a href="#baseline" { "Against the baseline" } }
             @if !comparison.scenes.is_empty() { a href="#proof" { "Proof" } }

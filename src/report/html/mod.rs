@@ -75,6 +75,7 @@ fn document(page: &Page<'_>) -> Markup {
                 header { (head(page)) }
                 (contents::contents(page))
                 main {
+                    (conformance(page))
                     (overall(page))
                     (baseline(page))
                     (proof(page))
@@ -112,6 +113,25 @@ fn head(page: &Page<'_>) -> Markup {
         }
         @if run.partial {
             p class="warning" { strong { "Partial." } " The comparison was stopped before its plan was done. This report shows what was measured until then." }
+        }
+    }
+}
+
+/// The checks of structures that are not srt's own.
+fn conformance(page: &Page<'_>) -> Markup {
+    let own = tables::conformance_table(page.report.comparison);
+    html! {
+        @if !own.rows.is_empty() {
+            section id="conformance" {
+                h2 { (own.title) }
+                p class="note" { (own.note) }
+                (bare(&own))
+                @for own in &page.report.comparison.conformance {
+                    @if let Some(fault) = own.fault() {
+                        p class="warning" { strong { (own.structure) " does not conform: " } (fault) }
+                    }
+                }
+            }
         }
     }
 }

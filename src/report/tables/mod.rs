@@ -3,6 +3,7 @@
 //! Markdown and HTML draw the same tables, so they show the same numbers. Nothing here writes Markdown or HTML.
 
 mod baseline;
+mod conformance;
 mod growth;
 mod overall;
 mod rounds;
@@ -12,6 +13,7 @@ mod scene;
 mod stages;
 
 pub(super) use baseline::baseline_table;
+pub(super) use conformance::conformance_table;
 pub(super) use growth::{growth_tables, size_tables};
 pub(super) use overall::{overall_table, proof_matrix};
 pub(super) use rounds::round_table;

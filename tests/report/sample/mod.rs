@@ -55,12 +55,53 @@ fn run() -> Run {
 /// sampling.
 pub(crate) fn full() -> Comparison {
     let mut comparison = Comparison::new(run(), "none");
+    comparison.conformance = vec![conforming("grid")];
     comparison.scenes = vec![bunny(), hall()];
     comparison.sweeps = vec![sweep()];
     comparison.sampling = Some(sampling());
     comparison.baseline = Some(baseline());
     comparison.notes = vec!["The hall was generated with seed 1.".to_owned()];
     comparison
+}
+
+/// A structure that had no time for the whole check, and differed nowhere.
+fn conforming(structure: &str) -> Conformance {
+    Conformance {
+        structure: structure.to_owned(),
+        outcome: ConformanceOutcome::Equal,
+        rays: 211_904,
+        hits: 98_317,
+        meshes_checked: 23,
+        meshes: 28,
+        seconds: 3.004,
+    }
+}
+
+/// One that differs and one that panics.
+fn nonconforming() -> Vec<Conformance> {
+    let difference = ConformanceDifference {
+        mesh: "nested".to_owned(),
+        scale: 1e6,
+        offset: [0.0, -1.5, 1e6],
+        build: "medium".to_owned(),
+        way: "alone".to_owned(),
+        ray: "Ray { origin: Vec3(0.25, 1.0, 5.0), t_min: 0.0, dir: <Vec3> }".to_owned(),
+        expected: "Hit { t: 0.5, object: 0, prim: 7, u: 0.25, v: 0.125 }, blocked".to_owned(),
+        got: "no hit, not blocked".to_owned(),
+    };
+    let wrong = |structure: &str, outcome| Conformance {
+        structure: structure.to_owned(),
+        outcome,
+        seconds: 0.25,
+        ..Conformance::default()
+    };
+    vec![
+        wrong("kd-tree", ConformanceOutcome::Differs(difference)),
+        wrong(
+            "mine",
+            ConformanceOutcome::Failed { message: "it panicked: out of | luck".to_owned() },
+        ),
+    ]
 }
 
 /// A class that became slower and one that did not, on another machine.
@@ -114,6 +155,7 @@ pub(crate) fn minimal() -> Comparison {
 pub(crate) fn partial() -> Comparison {
     let mut comparison = full();
     comparison.run.partial = true;
+    comparison.conformance = nonconforming();
     comparison.sweeps.clear();
     comparison.sampling = None;
     let bunny = &mut comparison.scenes[0];

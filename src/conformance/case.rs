@@ -1,0 +1,200 @@
+//! A mesh in a place: its rays, through a structure and through none at all.
+
+use std::ops::Range;
+
+use glam::Vec3;
+
+use crate::accel::{
+    Accel, AnyHit, BuildConfig, BuildOptions, ClosestHit, Exhaustive, Indexed, Primitives, Quality,
+    Query, Scratch,
+};
+use crate::counters::{Counts, NoCounters};
+use crate::math::{Hit, Ray};
+use crate::shapes::TriangleSet;
+
+use super::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
+use super::axis_grids::grids_over;
+use super::difference::{Answer, FirstDifference, Way};
+use super::nasty_meshes::{self, Mesh};
+use super::one_by_one::OneByOne;
+use super::summary::Summary;
+
+/// Rays that are aimed at each mesh in each place; about as many again are made of them.
+const RAYS: usize = 2_000;
+
+/// Where the second slice ends; the first is one ray, which shows how slow a structure is. Each following one has twice
+/// as many rays, so that slices of many lengths are traced, and begins where sixteen rays that go together do.
+const SECOND_END: usize = 16;
+
+/// Triangles, in packs or one by one.
+pub(super) trait Triangles: Primitives {
+    fn of(mesh: &Mesh) -> Self;
+}
+
+impl Triangles for TriangleSet {
+    fn of(mesh: &Mesh) -> Self {
+        Self::new(&mesh.positions, &mesh.triangles)
+    }
+}
+
+impl Triangles for OneByOne {
+    fn of(mesh: &Mesh) -> Self {
+        Self(TriangleSet::of(mesh))
+    }
+}
+
+/// A mesh, scaled and moved.
+#[derive(Clone, Copy)]
+pub(super) struct Case<'a> {
+    pub(super) mesh: &'a Mesh,
+    pub(super) scale: f32,
+    pub(super) offset: Vec3,
+}
+
+impl Case<'_> {
+    /// Compares a structure with none, as long as `ended` is false; what was compared.
+    pub(super) fn check<P: Triangles, A: Accel>(
+        &self,
+        options: &BuildOptions,
+        ended: &dyn Fn() -> bool,
+    ) -> Result<Summary, FirstDifference> {
+        if ended() {
+            return Ok(Summary::default());
+        }
+        let moved = self.mesh.moved(self.scale, self.offset);
+        let (rays, expected) = rays_and_answers(&moved);
+        // The quality is what the tree looks like, and the scale how numbers round: not all of both.
+        let qualities: &[Quality] = match self.scale {
+            1.0 => &[Quality::Fastest, Quality::Medium, Quality::Slowest],
+            _ => &[Quality::Medium],
+        };
+        let mut compared = 0;
+        let summary = |compared: usize, whole: bool| {
+            let hits = expected[..compared].iter().filter(|answer| answer.hit.is_hit()).count();
+            Summary { meshes: usize::from(whole), all_meshes: 0, rays: compared, hits }
+        };
+        for &quality in qualities {
+            if ended() {
+                return Ok(summary(compared, false));
+            }
+            let own = indexed::<P, A>(&moved, quality, options);
+            for slice in slices(rays.len()) {
+                // A slow structure is to end soon, so its rays are traced alone before they are in one call.
+                for way in [Way::Alone, Way::Slice, Way::Counted] {
+                    for part in parts(slice.clone(), way) {
+                        // What was made ready is worth a ray.
+                        if compared > 0 && ended() {
+                            return Ok(summary(compared, false));
+                        }
+                        let got = answers(&own, &rays[part.clone()], way);
+                        if let Some((i, got)) = first_unlike(part, &got, &expected) {
+                            return Err(self.difference(quality, way, rays[i], expected[i], got));
+                        }
+                    }
+                }
+                compared = compared.max(slice.end);
+            }
+        }
+        Ok(summary(compared, true))
+    }
+
+    fn difference(
+        &self,
+        quality: Quality,
+        way: Way,
+        ray: Ray,
+        expected: Answer,
+        got: Answer,
+    ) -> FirstDifference {
+        let Self { mesh, scale, offset } = *self;
+        FirstDifference { mesh: mesh.name, scale, offset, quality, way, ray, expected, got }
+    }
+}
+
+/// The slices of so many rays.
+fn slices(count: usize) -> impl Iterator<Item = Range<usize>> {
+    let next_end = |end: usize| match end {
+        0 => 1,
+        1 => SECOND_END,
+        _ => 2 * end + SECOND_END,
+    };
+    let mut from = 0;
+    std::iter::from_fn(move || {
+        let to = next_end(from).min(count);
+        let slice = (from < count).then_some(from..to);
+        from = to;
+        slice
+    })
+}
+
+/// The calls of a slice: one for each of its rays, or one for all.
+fn parts(slice: Range<usize>, way: Way) -> impl Iterator<Item = Range<usize>> {
+    let length = if way == Way::Alone { 1 } else { slice.len() };
+    slice.clone().step_by(length.max(1)).map(move |from| from..from + length)
+}
+
+/// The first ray of a part with another answer than expected, and its answer.
+fn first_unlike(
+    part: Range<usize>,
+    got: &[Answer],
+    expected: &[Answer],
+) -> Option<(usize, Answer)> {
+    part.zip(got).find(|(i, got)| !got.same_bits(&expected[*i])).map(|(i, got)| (i, *got))
+}
+
+/// The rays that are made for a mesh, and the answers without a structure.
+fn rays_and_answers(moved: &Mesh) -> (Vec<Ray>, Vec<Answer>) {
+    let none = indexed::<TriangleSet, Exhaustive>(moved, Quality::Medium, &BuildOptions::NONE);
+    // Even where there is nothing, rays are aimed at something.
+    let target = if moved.triangles.is_empty() { nasty_meshes::single() } else { moved.clone() };
+    let mut rays = rays_at(&target, RAYS, 99);
+    let hits: Vec<Hit> =
+        answers(&none, &rays, Way::Slice).iter().map(|answer| answer.hit).collect();
+    let cut = rays_cut_at_hits(&rays, &hits);
+    rays.extend(bundles_around(&rays[..RAYS / 64]));
+    rays.extend(grids_over(&target, 8, 23));
+    // Last, because their number is any: the others go together by sixteens.
+    rays.extend(cut);
+    let expected = answers(&none, &rays, Way::Slice);
+    (rays, expected)
+}
+
+pub(super) fn indexed<P: Triangles, A: Accel>(
+    mesh: &Mesh,
+    quality: Quality,
+    options: &BuildOptions,
+) -> Indexed<P, A> {
+    let config = BuildConfig { quality, options: options.clone(), ..BuildConfig::default() };
+    Indexed::build(P::of(mesh), &config)
+}
+
+pub(super) fn answers<P: Primitives, A: Accel>(
+    index: &Indexed<P, A>,
+    rays: &[Ray],
+    way: Way,
+) -> Vec<Answer> {
+    if way == Way::Alone {
+        let alone = |ray| Answer { hit: index.hit(ray), blocked: index.occluded(ray) };
+        return rays.iter().map(alone).collect();
+    }
+    let hits = of_slice(index, ClosestHit, rays, way);
+    let blocked = of_slice(index, AnyHit, rays, way);
+    hits.into_iter().zip(blocked).map(|(hit, blocked)| Answer { hit, blocked }).collect()
+}
+
+fn of_slice<P: Primitives, A: Accel, Q: Query>(
+    index: &Indexed<P, A>,
+    query: Q,
+    rays: &[Ray],
+    way: Way,
+) -> Vec<Q::Answer> {
+    let mut answers: Vec<_> = rays.iter().map(|ray| query.start(ray)).collect();
+    let mut scratch = Scratch::default();
+    match way {
+        Way::Counted => {
+            index.search(&query, rays, &mut answers, &mut scratch, &mut Counts::default());
+        }
+        _ => index.search(&query, rays, &mut answers, &mut scratch, &mut NoCounters),
+    }
+    answers
+}
