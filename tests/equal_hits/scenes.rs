@@ -16,7 +16,7 @@ use srt::math::{Color, Random, Ray};
 use srt::scene::{STRUCTURES, Scene};
 use srt::shapes::{Ball, Cylinder, Single, Triangle};
 
-use crate::{assert_equal, trace};
+use crate::{assert_equal, for_this_isa, trace};
 
 #[test]
 fn random_scenes_of_transformed_objects() {
@@ -27,14 +27,14 @@ fn random_scenes_of_transformed_objects() {
         .with_max_len(1)
         .map(|&(seed, scale)| {
             // Many objects, and so few that one node holds them all.
-            compare(&random_scene(seed, scale, 0..40), seed, 6_000)
-                + compare(&random_scene(seed, scale, 11..17), seed, 2_000)
+            compare(&random_scene(seed, scale, 0..40), seed, for_this_isa(6_000))
+                + compare(&random_scene(seed, scale, 11..17), seed, for_this_isa(3_000))
                 // A mesh by itself.
-                + compare(&random_scene(seed, scale, 3..4), seed, 2_000)
+                + compare(&random_scene(seed, scale, 3..4), seed, for_this_isa(3_000))
         })
         .sum();
     println!("{compared} rays compared, 0 differ");
-    assert!(compared > 150_000, "only {compared} rays were compared");
+    assert!(compared > for_this_isa(250_000), "only {compared} rays were compared");
 }
 
 #[test]
