@@ -56,7 +56,7 @@ fn every_plot_is_there_and_named() {
     assert_eq!(
         page.matches("<svg").count(),
         page.matches("role=\"img\" aria-label=").count()
-            + page.matches("class=\"bar\" role=\"img\"").count()
+            + page.matches(" bar\" role=\"img\"").count()
     );
     assert!(!page.contains("NaN") && !page.contains("inf"), "a number went wrong");
 }
@@ -67,6 +67,15 @@ fn text_of_the_record_is_escaped() {
     assert!(page.contains("memory &lt;here&gt;") && page.contains("&lt;16 &amp; more&gt;"));
     assert!(page.contains("Partial."));
     assert!(page.contains("origin (0, 1, 5)"));
+}
+
+#[test]
+fn sentences_begin_with_capitals_and_names_in_them_are_set_as_names() {
+    let mut comparison = sample::full();
+    comparison.notes.push("hall: `none` & `ball` had no time.".to_owned());
+    let page = Report::new(&comparison).html(&sample::pictures(&comparison));
+    assert!(page.contains("<code>none</code> &amp; <code>ball</code> had no time."));
+    assert!(page.contains("<p class=\"subtitle\">No difference in "));
 }
 
 #[test]

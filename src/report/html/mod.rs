@@ -104,7 +104,7 @@ fn head(page: &Page<'_>) -> Markup {
         // An interval stays in one line.
         @let (claim, rest) = headline(page.report);
         h1 { (claim.replace('–', "\u{2060}–\u{2060}")) }
-        @if let Some(rest) = rest { p class="subtitle" { (rest) } }
+        @if let Some(rest) = rest { p class="subtitle" { (sentence(&rest)) } }
         @if let Some(weaknesses) = weaknesses(page.report) { p class="subtitle" { (weaknesses) } }
         p class="byline" {
             @if run.date.is_empty() { "No date" } @else { time datetime=(run.date) { (run.date) } }
@@ -230,7 +230,25 @@ fn bias(page: &Page<'_>) -> Markup {
     html! {
         section id="limits" {
             h2 { "Limits and bias" }
-            ul { @for limit in limits(page.report) { li { (limit) } } }
+            ul { @for limit in limits(page.report) { li { (prose(&limit)) } } }
+        }
+    }
+}
+
+/// The rest of the verdict, which follows a semicolon elsewhere, as a sentence of its own. A name of a
+/// structure at its beginning stays as it is.
+fn sentence(rest: &str) -> String {
+    match rest.strip_prefix("no ") {
+        Some(rest) => format!("No {rest}"),
+        None => rest.to_owned(),
+    }
+}
+
+/// A sentence in which names stand between backticks.
+fn prose(text: &str) -> Markup {
+    html! {
+        @for (i, part) in text.split('`').enumerate() {
+            @if i % 2 == 1 { code { (part) } } @else { (part) }
         }
     }
 }

@@ -47,30 +47,44 @@ fn figure(pictures: &Pictures, picture: &PictureFile, caption: &str, meaning: &s
     }
 }
 
-/// The scale of the heatmaps' colours.
+/// The scale of the heatmaps' colours, for wide pages and for phones.
 fn bar(scale: HeatScale) -> Markup {
+    let spacing = match scale.spacing {
+        Spacing::Linear => "linear",
+        Spacing::Logarithmic => "logarithmic",
+    };
+    let label = format!("box and primitive tests per view sample, {spacing}; one scale for all");
+    html! {
+        figure class="bar" {
+            (drawn_bar(scale, &label, "wide", 900.0))
+            (drawn_bar(scale, &label, "narrow", 400.0))
+            figcaption { (label) }
+        }
+    }
+}
+
+/// The colours with their ticks, so many units wide.
+fn drawn_bar(scale: HeatScale, label: &str, form: &str, width: f64) -> Markup {
     let kind = match scale.spacing {
         Spacing::Linear => AxisKind::Linear,
         Spacing::Logarithmic => AxisKind::Logarithmic,
     };
-    let axis = Axis::new(kind, (scale.low, scale.high), (24.0, 876.0));
-    let spacing = if kind == AxisKind::Linear { "linear" } else { "logarithmic" };
-    let label = format!("box and primitive tests per view sample, {spacing}; one scale for all");
+    let (first, last) = (24.0, width - 24.0);
+    let axis = Axis::new(kind, (scale.low, scale.high), (first, last));
+    let step = (last - first) / f64::from(STOPS);
     let ends = (numbers::about(scale.low), numbers::about(scale.high));
     html! {
-        div class="scroll" tabindex="0" {
-            svg class="bar" role="img" shape-rendering="crispEdges" viewBox="0 0 900 58" width="900" height="58"
-                aria-label=(format!("Colour scale from {} to {}: {label}", ends.0, ends.1)) {
-                title { (label) }
-                @for stop in 0..STOPS {
-                    @let width = 852.0 / f64::from(STOPS);
-                    @let color = INFERNO.eval_rational(stop as usize, STOPS as usize);
-                    rect x=(24.0 + f64::from(stop) * width) y="2" width=(width + 0.5) height="16" fill=(format!("#{color:x}")) {}
-                }
-                @for tick in axis.ticks() {
-                    text class="tick" x=(format!("{:.1}", axis.at(tick))) y="34" text-anchor="middle" { (tick_label(tick, COUNT)) }
-                }
-                text class="axis" x="450" y="53" text-anchor="middle" { (label) }
+        svg class=(format!("{form} bar")) role="img" shape-rendering="crispEdges"
+            viewBox=(format!("0 0 {width} 38")) width=(width) height="38"
+            aria-label=(format!("Colour scale from {} to {}: {label}", ends.0, ends.1)) {
+            title { (label) }
+            @for stop in 0..STOPS {
+                @let color = INFERNO.eval_rational(stop as usize, STOPS as usize);
+                rect x=(format!("{:.2}", first + f64::from(stop) * step)) y="2" width=(format!("{:.2}", step + 0.5))
+                    height="16" fill=(format!("#{color:x}")) {}
+            }
+            @for tick in axis.ticks() {
+                text class="tick" x=(format!("{:.1}", axis.at(tick))) y="34" text-anchor="middle" { (tick_label(tick, COUNT)) }
             }
         }
     }

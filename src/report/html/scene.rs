@@ -18,7 +18,7 @@ pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) 
         .position(|s| std::ptr::eq(s, scene))
         .unwrap_or_default();
     html! {
-        section id=(format!("scene-{number}")) {
+        section class="scene" id=(format!("scene-{number}")) {
             h2 { (scene.name) }
             p {
                 (numbers::things(scene.objects, "object")) ", " (numbers::things(scene.triangles, "triangle")) ", "
