@@ -84,6 +84,8 @@ pub mod embree;
 #[cfg(feature = "program")]
 pub mod image_io;
 #[cfg(feature = "program")]
+pub mod ray_file;
+#[cfg(feature = "program")]
 pub mod record;
 #[cfg(feature = "program")]
 pub mod render;

@@ -8,6 +8,7 @@ use clap::{Args, Parser, Subcommand};
 use super::choice::described;
 use super::compare_args::{CompareArguments, ConformanceArguments, ReportArguments};
 use super::exit::EXIT_CODES;
+use super::rays_args::RaysArguments;
 use super::render_args::RenderArguments;
 use super::values;
 use crate::assets::generate::MeshKind;
@@ -64,6 +65,8 @@ pub(crate) enum Command {
     Conformance(ConformanceArguments),
     /// Write the report of a comparison again, from its report.json
     Report(ReportArguments),
+    /// Look into files of rays, and exchange rays with other programs
+    Rays(RaysArguments),
     /// Compare two pictures
     Diff(DiffArguments),
     /// Generate a mesh as a Wavefront OBJ file

@@ -11,6 +11,7 @@ use super::fingerprint;
 use super::interrupt::Interrupt;
 use super::load::{load, print_load_error};
 use super::output::print;
+use super::ray_files::{self, RayFolder};
 use super::result_folder::{PictureFiles, ResultFolder, read_record};
 use super::terminal::{print_error, print_message};
 use crate::analysis::baseline;
@@ -23,18 +24,21 @@ use crate::report::Report;
 pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> CommandResult {
     let old = arguments.baseline.as_deref().map(read_record).transpose()?;
     let Some(scenes) = load_all(arguments)? else { return Ok(Exit::Trouble) };
+    let replayed = ray_files::read_for(&arguments.rays, &scenes)?;
+    let rays = arguments.save_rays.as_deref();
+    let rays = rays.map(|path| RayFolder::prepare(path, &scenes)).transpose()?;
     let folder = match &arguments.out {
         Some(out) => ResultFolder::prepare(out)?,
         None => ResultFolder::claim(Path::new("results"), &default_name(&arguments.scenes))?,
     };
-    let plan = plan(arguments, scenes);
+    let plan = plan(arguments, scenes, replayed);
     if let Some(note) = too_short(&plan).filter(|_| !arguments.quiet) {
         print_message(note);
     }
     if !arguments.quiet {
         compare::disturbances().iter().for_each(print_message);
     }
-    let progress = CompareProgress::start(arguments.quiet, interrupt.clone());
+    let progress = CompareProgress::start(arguments.quiet, interrupt.clone(), rays.as_ref());
     let result = interrupt.cancellable(|| compare::run(&plan, &arguments.structures(), &progress));
     drop(progress);
     let mut result = result.map_err(Failure::new)?;
@@ -43,6 +47,8 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Comman
     let report = Report::new(&result.comparison);
     folder.write(&report, &encoded(&result.pictures)?)?;
     let fine = print_result(arguments, &result, &report, folder.path())?;
+    // Last, so that a folder that is full takes nothing of the report away.
+    rays.map_or(Ok(()), RayFolder::finish)?;
     let compared = |baseline: &Baseline| !baseline.outcome.changes.is_empty();
     let unrelated = !result.comparison.baseline.as_ref().is_none_or(compared);
     let partial = result.comparison.run.partial;

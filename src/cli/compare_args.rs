@@ -30,6 +30,8 @@ srt compare scenes/*.sce --accel bvh,cwbvh --budget 60 --out results/trees\n  \
 srt compare scenes/hall.sce --accel bvh8,bvh8:builder=ploc,leaf=4\n  \
 srt compare --sweep 1k..10M --mesh hall --budget 300\n  \
 srt compare scenes/soft-shadows.sce --sampling-study\n  \
+srt compare scenes/hall.sce --save-rays rays\n  \
+srt compare scenes/hall.sce --rays rays/hall.srtrays\n  \
 srt compare scenes/hall.sce --baseline results/old/report.json --fail-above 10%")]
 pub(crate) struct CompareArguments {
     /// The scene files (sce1.0)
@@ -46,6 +48,15 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "CLASSES", value_delimiter = ',',
         value_parser = named(&RayClass::ALL, RayClass::name))]
     pub(crate) classes: Vec<RayClass>,
+
+    /// Write the recorded rays of each scene, and what they find, into a folder: SCENE.srtrays
+    #[arg(long, value_name = "DIR", requires = "scenes")]
+    pub(crate) save_rays: Option<PathBuf>,
+
+    /// Measure the rays of a file that --save-rays or `srt rays import` wrote, in place of recorded
+    /// ones; once for each scene, in their order
+    #[arg(long, value_name = "FILE", requires = "scenes", conflicts_with = "save_rays")]
+    pub(crate) rays: Vec<PathBuf>,
 
     /// The quality of the build: slower builds make better trees
     #[arg(long, value_name = "QUALITY", default_value = Quality::default().name(),

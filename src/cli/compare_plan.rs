@@ -1,10 +1,13 @@
 //! What was typed for `srt compare` → the plan of the comparison.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::compare_args::CompareArguments;
 use crate::accel::BuildConfig;
 use crate::compare::{PictureOptions, Plan, SceneInput, SweepPlan};
+use crate::ray_file::RayFile;
+use crate::record::RayClass;
 
 /// The default budget: seconds for each scene, for all scenes at most, for a sweep, and for a study of
 /// sampling.
@@ -16,8 +19,12 @@ const SECONDS_A_STUDY: u64 = 60;
 /// Fewer seconds than this for a scene seldom leave enough rounds for intervals.
 const FEWEST_SECONDS: f64 = 5.0;
 
-/// The plan of some scenes.
-pub(super) fn plan(arguments: &CompareArguments, scenes: Vec<SceneInput>) -> Plan {
+/// The plan of some scenes; `replayed` are the files of rays that were given for them.
+pub(super) fn plan(
+    arguments: &CompareArguments,
+    scenes: Vec<SceneInput>,
+    replayed: BTreeMap<String, RayFile>,
+) -> Plan {
     let for_sweep = if arguments.sweep.is_some() { SECONDS_A_SWEEP } else { 0 };
     let for_study = if arguments.sampling_study { SECONDS_A_STUDY } else { 0 };
     let for_scenes = (SECONDS_A_SCENE * scenes.len() as u64).min(MOST_SECONDS);
@@ -41,7 +48,13 @@ pub(super) fn plan(arguments: &CompareArguments, scenes: Vec<SceneInput>) -> Pla
     plan.sampling_study = arguments.sampling_study;
     if !arguments.classes.is_empty() {
         plan.classes.clone_from(&arguments.classes);
+    } else if !replayed.is_empty() {
+        let is_there =
+            |class: &RayClass| replayed.values().any(|file| file.class(*class).is_some());
+        plan.classes = RayClass::ALL.into_iter().filter(is_there).collect();
     }
+    plan.replayed = replayed;
+    plan.keep_rays = arguments.save_rays.is_some();
     plan
 }
 

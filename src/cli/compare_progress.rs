@@ -6,7 +6,9 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::interrupt::Interrupt;
+use super::ray_files::RayFolder;
 use crate::compare::Observer;
+use crate::ray_file::RayFile;
 
 /// Steps of the bar.
 const STEPS: u64 = 1_000;
@@ -16,15 +18,16 @@ const TICK: Duration = Duration::from_millis(250);
 
 const TEMPLATE: &str = "{bar:24} {percent:>3} %  {eta} left  {msg}";
 
-/// Watches a comparison: shows what is being done, and cancels it.
-pub(super) struct CompareProgress {
+/// Watches a comparison: shows what is being done, writes the rays that it is to leave, and cancels it.
+pub(super) struct CompareProgress<'a> {
     bar: ProgressBar,
     interrupt: Interrupt,
+    rays: Option<&'a RayFolder>,
 }
 
-impl CompareProgress {
+impl<'a> CompareProgress<'a> {
     /// Nothing is shown if `quiet` or if standard error is no terminal.
-    pub(super) fn start(quiet: bool, interrupt: Interrupt) -> Self {
+    pub(super) fn start(quiet: bool, interrupt: Interrupt, rays: Option<&'a RayFolder>) -> Self {
         let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::hidden());
         if !quiet && std::io::stderr().is_terminal() {
             let style = ProgressStyle::with_template(TEMPLATE)
@@ -33,11 +36,11 @@ impl CompareProgress {
             bar.set_style(style.progress_chars("█▉▊▋▌▍▎▏ "));
             bar.enable_steady_tick(TICK);
         }
-        Self { bar, interrupt }
+        Self { bar, interrupt, rays }
     }
 }
 
-impl Observer for CompareProgress {
+impl Observer for CompareProgress<'_> {
     fn begins(&self, what: &str) {
         self.bar.set_message(what.to_owned());
     }
@@ -49,9 +52,15 @@ impl Observer for CompareProgress {
     fn cancelled(&self) -> bool {
         self.interrupt.is_requested()
     }
+
+    fn rays_recorded(&self, scene: &str, rays: &RayFile) {
+        if let Some(folder) = self.rays {
+            folder.write(scene, rays);
+        }
+    }
 }
 
-impl Drop for CompareProgress {
+impl Drop for CompareProgress<'_> {
     /// Leaves the terminal as it was.
     fn drop(&mut self) {
         self.bar.finish_and_clear();

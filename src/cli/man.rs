@@ -37,13 +37,24 @@ fn write_all(folder: &Path, command: Command) -> CommandResult {
 fn pages(mut command: Command) -> io::Result<Vec<(String, Vec<u8>)>> {
     command.build();
     let mut pages = vec![("srt.1".to_owned(), page(command.clone())?)];
+    add_subcommands("srt", &command, &mut pages)?;
+    Ok(pages)
+}
+
+/// The pages of a command's subcommands, each with those of its own behind it.
+fn add_subcommands(
+    name: &str,
+    command: &Command,
+    pages: &mut Vec<(String, Vec<u8>)>,
+) -> io::Result<()> {
     for subcommand in command.get_subcommands().filter(|s| s.get_name() != "help") {
-        let name = format!("srt-{}", subcommand.get_name());
+        let name = format!("{name}-{}", subcommand.get_name());
         // The title of a page must live as long as the program.
         let title: &'static str = name.clone().leak();
         pages.push((format!("{name}.1"), page(subcommand.clone().name(title))?));
+        add_subcommands(&name, subcommand, pages)?;
     }
-    Ok(pages)
+    Ok(())
 }
 
 fn page(command: Command) -> io::Result<Vec<u8>> {
@@ -79,6 +90,10 @@ mod tests {
             "srt-compare.1",
             "srt-conformance.1",
             "srt-report.1",
+            "srt-rays.1",
+            "srt-rays-info.1",
+            "srt-rays-export.1",
+            "srt-rays-import.1",
             "srt-diff.1",
             "srt-mesh.1",
             "srt-completions.1",

@@ -6,13 +6,15 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `args.rs`, `render_args.rs`, `compare_args.rs` | the definition of the command line |
+//! | `args.rs`, `render_args.rs`, `compare_args.rs`, `rays_args.rs` | the definition of the command line |
 //! | `values.rs`, `choice.rs`, `structures.rs`, `near.rs` | what options take: numbers, names, structures, with slips |
 //! | `command_line.rs` | the definition with the structures of this program; what was typed |
 //! | `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
-//! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `check.rs`, `diff.rs`, `mesh.rs` | the subcommands |
+//! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `rays.rs` | the subcommands |
+//! | `check.rs`, `diff.rs`, `mesh.rs` | smaller ones |
 //! | `completions.rs`, `man.rs` | the subcommands that print the definition in other forms |
 //! | `output/` | where results go, whole or not at all |
+//! | `ray_files.rs` | the files of rays of a comparison |
 //! | `result_folder.rs`, `fingerprint.rs` | the files of a comparison; the hash of a scene's files |
 //! | `terminal.rs`, `interrupt.rs`, `progress.rs`, `compare_progress.rs` | the terminal |
 //! | `load.rs`, `source.rs` | a scene from its file |
@@ -47,6 +49,9 @@ mod near;
 mod options;
 mod output;
 mod progress;
+mod ray_files;
+mod rays;
+mod rays_args;
 mod render;
 mod render_args;
 mod report;
@@ -101,6 +106,7 @@ fn dispatch(structures: &Structures) -> CommandResult {
         Some(Command::Compare(compare)) => compare::run(&compare, &interrupt),
         Some(Command::Conformance(check)) => conformance::run(&check, &interrupt),
         Some(Command::Report(report)) => report::run(&report),
+        Some(Command::Rays(rays)) => rays::run(&rays),
         Some(Command::Diff(diff)) => diff::run(&diff),
         Some(Command::Mesh(mesh)) => mesh::run(&mesh),
         Some(Command::Completions(completions)) => {

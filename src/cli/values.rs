@@ -51,6 +51,9 @@ pub(crate) enum ValueError {
         Tone::MAX_STOPS
     )]
     Stops,
+    /// Not a place along a ray.
+    #[error("expected a number from 0, at most 3.4e38")]
+    RayEnd,
     /// Not a percentage.
     #[error("expected a percentage from 0, such as 10%")]
     Percent,
@@ -119,6 +122,12 @@ pub(super) fn seconds(text: &str) -> Result<Duration, ValueError> {
     let seconds: f64 = text.trim().parse().map_err(|_| ValueError::Seconds)?;
     let fits = seconds > 0.0 && seconds <= YEAR;
     if fits { Ok(Duration::from_secs_f64(seconds)) } else { Err(ValueError::Seconds) }
+}
+
+/// Reads where a ray begins or ends, in units of its direction.
+pub(super) fn ray_end(text: &str) -> Result<f32, ValueError> {
+    let end = text.trim().parse().ok().filter(|end| (0.0..=f32::MAX).contains(end));
+    end.ok_or(ValueError::RayEnd)
 }
 
 /// Reads two sizes of meshes, `1k..10M`.

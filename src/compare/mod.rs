@@ -16,6 +16,7 @@
 //! | `context.rs`, `pools.rs` | what the steps share: a scene and its plan, threads |
 //! | `candidate.rs`, `panics.rs` | a structure with its row of the report, and its panics |
 //! | `record_rays.rs`, `extra_rays.rs`, `trace.rs` | the same rays for all, and their results |
+//! | `ray_exchange.rs` | recorded rays and files of rays |
 //! | `proof.rs`, `agreement.rs` | whether results are equal, or a peer's close |
 //! | `rounds.rs`, `clock.rs`, `hardware.rs` | how something is timed and counted |
 //! | `trial.rs`, `block_sample.rs`, `class_rounds.rs`, `passes.rs`, `replay.rs` | which rays are timed, and how often |
@@ -83,6 +84,7 @@ mod plan;
 mod pools;
 mod progress;
 mod proof;
+mod ray_exchange;
 mod record_rays;
 mod render_picture;
 mod replay;
@@ -100,5 +102,6 @@ pub use observer::{Observer, Silent};
 pub(crate) use panics::catch_panic;
 pub(crate) use picture_file::{heatmap_name, picture_name};
 pub use plan::{PictureOptions, Plan, SceneInput, SweepPlan};
+pub use ray_exchange::{WrongAnswers, answered_rays, wrong_answers};
 pub use run::{CompareError, ComparisonResult, run};
 pub(crate) use sources::hexadecimal;

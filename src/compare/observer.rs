@@ -1,5 +1,7 @@
 //! Who watches a comparison, and may stop it.
 
+use crate::ray_file::RayFile;
+
 /// Receives the progress of a comparison, between its steps.
 pub trait Observer: Sync {
     /// A step begins: the scene and the step, in words.
@@ -8,6 +10,9 @@ pub trait Observer: Sync {
     fn advanced(&self, share: f64);
     /// Whether to stop and keep what is done.
     fn cancelled(&self) -> bool;
+    /// The rays of a scene were recorded, where [`Plan::keep_rays`](super::Plan::keep_rays) wants them. By default they
+    /// are dropped.
+    fn rays_recorded(&self, _scene: &str, _rays: &RayFile) {}
 }
 
 /// Shows nothing and never stops.

@@ -1,9 +1,11 @@
 //! What is to be compared: plain data.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::accel::BuildConfig;
 use crate::assets::generate::MeshKind;
+use crate::ray_file::RayFile;
 use crate::record::{RayClass, RoundRule};
 use crate::render::{Sampling, Settings};
 use crate::scene::Scene;
@@ -120,6 +122,11 @@ pub struct Plan {
     pub rounds: RoundRule,
     /// The most rays of a class that are recorded.
     pub rays_per_class: usize,
+    /// Rays that are measured in place of recorded ones, by the names of their scenes. They are for the geometry of
+    /// these scenes.
+    pub replayed: BTreeMap<String, RayFile>,
+    /// Whether the observer gets the rays of each scene that are recorded.
+    pub keep_rays: bool,
     /// Growth with the number of triangles, if that is to be measured.
     pub sweep: Option<SweepPlan>,
     /// Whether to study what random numbers and shuffling cost, and how much noise they leave.
@@ -144,6 +151,8 @@ impl Plan {
             budget: None,
             rounds: RoundRule { warmup: 1, at_least: 10, relative_interval: 0.02 },
             rays_per_class: 200_000,
+            replayed: BTreeMap::new(),
+            keep_rays: false,
             sweep: None,
             sampling_study: false,
         }

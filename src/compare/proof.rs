@@ -117,7 +117,7 @@ fn check_class(
         let first_difference = differing.first().map(|&first| {
             let expected = class.results.get(places[first]);
             let ray = smallest(tracer, set, rays[first], &expected);
-            describe(tracer, set, &ray, &expected)
+            describe(set, &ray, &expected, &result_of(tracer, set, &ray))
         });
         CheckedClass {
             rays: rays.len() as u64,
@@ -151,14 +151,13 @@ fn result_of(tracer: &dyn Tracer, set: &RaySet, ray: &Ray) -> RayResult {
 }
 
 /// A ray in full precision (what is printed reads back as the same bits), and both results.
-fn describe(tracer: &dyn Tracer, set: &RaySet, ray: &Ray, expected: &RayResult) -> String {
+pub(super) fn describe(set: &RaySet, ray: &Ray, expected: &RayResult, got: &RayResult) -> String {
     let Ray { origin: o, dir: d, t_min, t_max } = ray;
     let mut text = format!("{} ray: origin {:?} {:?} {:?}, ", set.class.name(), o.x, o.y, o.z);
     // Writing to a string cannot fail.
     let _ =
         write!(text, "direction {:?} {:?} {:?}, t from {t_min:?} to {t_max:?}; ", d.x, d.y, d.z);
-    let result = result_of(tracer, set, ray);
-    let _ = write!(text, "expected {expected}, got {result}");
+    let _ = write!(text, "expected {expected}, got {got}");
     text
 }
 

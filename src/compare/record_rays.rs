@@ -27,7 +27,8 @@ const MOST_SAMPLES: u32 = 60_000;
 const FEWEST_CALLS: usize = 32;
 
 /// The structure that traces during a recording.
-const RECORDING_STRUCTURE: Structure = Structure::new::<Bvh, Bvh>("bvh", "obvhs's binary tree");
+pub(super) const RECORDING_STRUCTURE: Structure =
+    Structure::new::<Bvh, Bvh>("bvh", "obvhs's binary tree");
 
 /// The rays of a class.
 #[derive(Clone, Debug)]

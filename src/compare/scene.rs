@@ -12,6 +12,7 @@ mod recording;
 mod rendering;
 
 use crate::image_io::Picture;
+use crate::ray_file::RayFile;
 use crate::record::{Conformance, PictureFile, SceneRecord};
 use crate::scene::Structure;
 
@@ -22,6 +23,7 @@ use super::picture_file::{heatmap_name, picture_file, picture_name};
 use super::plan::{Plan, SceneInput};
 use super::pools::Pools;
 use super::progress::PartProgress;
+use super::ray_exchange::record_of;
 use super::replay::replay_all;
 
 /// What was measured in a scene.
@@ -55,8 +57,9 @@ pub(super) fn compare_scene(
         }
         goes_on.then_some(())
     };
+    let keep = |file: &RayFile| progress.observer.rays_recorded(&input.name, file);
     // `None` if it was cancelled: what was made until then stays.
-    let _ = take_steps(&context, &mut candidates, budget, begin, &mut result);
+    let _ = take_steps(&context, &mut candidates, budget, begin, keep, &mut result);
     if progress.cancelled() {
         candidates.iter_mut().for_each(Candidate::mark_stopped);
     }
@@ -64,18 +67,26 @@ pub(super) fn compare_scene(
     result
 }
 
-/// All steps, in their order. `begin` is given a step's name, and returns `None` to end before it.
+/// All steps, in their order. `begin` is given a step's name, and returns `None` to end before it; `keep` gets the rays
+/// that are to be kept.
 fn take_steps(
     context: &SceneContext<'_>,
     candidates: &mut [Candidate<'_>],
     budget: Budget,
     begin: impl Fn(&str) -> Option<()>,
+    keep: impl Fn(&RayFile),
     result: &mut SceneResult,
 ) -> Option<()> {
     begin("building")?;
     building::build_all(context, candidates);
     begin("recording rays")?;
-    let rays = recording::record_rays(context, candidates);
+    let replayed = context.plan.replayed.get(&result.record.name);
+    let mut rays = recording::record_rays(context, candidates, replayed);
+    let recorded = rays.file.take();
+    recorded.iter().for_each(keep);
+    let file = replayed.or(recorded.as_ref());
+    result.record.rays = file.map(|file| record_of(file, replayed.is_some()));
+    drop(recorded);
     begin("comparing hits")?;
     result.record.proof = comparing_hits::compare_hits(context, candidates, &rays, budget);
     // Its hits in this scene are worth knowing, its times are not.

@@ -67,6 +67,11 @@ impl RayResults {
         (0..expected.len()).filter(differs).count()
     }
 
+    /// The places of the rays that have another result than in `expected`, bit for bit.
+    pub(super) fn differing<'a>(&'a self, expected: &'a Self) -> impl Iterator<Item = usize> + 'a {
+        (0..expected.len()).filter(|&place| !self.get(place).same_bits(&expected.get(place)))
+    }
+
     fn len(&self) -> usize {
         match self {
             Self::ClosestHit(hits) => hits.len(),

@@ -62,40 +62,39 @@ impl Case<'_> {
             return Ok(Summary::default());
         }
         let moved = self.mesh.moved(self.scale, self.offset);
-        let (rays, expected) = rays_and_answers(&moved);
+        let mut made = MadeRays::of(&moved);
         // The quality is what the tree looks like, and the scale how numbers round: not all of both.
         let qualities: &[Quality] = match self.scale {
             1.0 => &[Quality::Fastest, Quality::Medium, Quality::Slowest],
             _ => &[Quality::Medium],
         };
         let mut compared = 0;
-        let summary = |compared: usize, whole: bool| {
-            let hits = expected[..compared].iter().filter(|answer| answer.hit.is_hit()).count();
-            Summary { meshes: usize::from(whole), all_meshes: 0, rays: compared, hits }
-        };
         for &quality in qualities {
-            if ended() {
-                return Ok(summary(compared, false));
+            if compared > 0 && ended() {
+                return Ok(made.summary(compared, false));
             }
             let own = indexed::<P, A>(&moved, quality, options);
-            for slice in slices(rays.len()) {
+            let mut from = 0;
+            while let Some(slice) = made.slice_from(from) {
                 // A slow structure is to end soon, so its rays are traced alone before they are in one call.
                 for way in [Way::Alone, Way::Slice, Way::Counted] {
                     for part in parts(slice.clone(), way) {
                         // What was made ready is worth a ray.
                         if compared > 0 && ended() {
-                            return Ok(summary(compared, false));
+                            return Ok(made.summary(compared, false));
                         }
+                        let MadeRays { rays, expected, .. } = &made;
                         let got = answers(&own, &rays[part.clone()], way);
-                        if let Some((i, got)) = first_unlike(part, &got, &expected) {
+                        if let Some((i, got)) = first_unlike(part, &got, expected) {
                             return Err(self.difference(quality, way, rays[i], expected[i], got));
                         }
                     }
                 }
                 compared = compared.max(slice.end);
+                from = slice.end;
             }
         }
-        Ok(summary(compared, true))
+        Ok(made.summary(compared, true))
     }
 
     fn difference(
@@ -109,22 +108,6 @@ impl Case<'_> {
         let Self { mesh, scale, offset } = *self;
         FirstDifference { mesh: mesh.name, scale, offset, quality, way, ray, expected, got }
     }
-}
-
-/// The slices of so many rays.
-fn slices(count: usize) -> impl Iterator<Item = Range<usize>> {
-    let next_end = |end: usize| match end {
-        0 => 1,
-        1 => SECOND_END,
-        _ => 2 * end + SECOND_END,
-    };
-    let mut from = 0;
-    std::iter::from_fn(move || {
-        let to = next_end(from).min(count);
-        let slice = (from < count).then_some(from..to);
-        from = to;
-        slice
-    })
 }
 
 /// The calls of a slice: one for each of its rays, or one for all.
@@ -142,21 +125,51 @@ fn first_unlike(
     part.zip(got).find(|(i, got)| !got.same_bits(&expected[*i])).map(|(i, got)| (i, *got))
 }
 
-/// The rays that are made for a mesh, and the answers without a structure.
-fn rays_and_answers(moved: &Mesh) -> (Vec<Ray>, Vec<Answer>) {
-    let none = indexed::<TriangleSet, Exhaustive>(moved, Quality::Medium, &BuildOptions::NONE);
-    // Even where there is nothing, rays are aimed at something.
-    let target = if moved.triangles.is_empty() { nasty_meshes::single() } else { moved.clone() };
-    let mut rays = rays_at(&target, RAYS, 99);
-    let hits: Vec<Hit> =
-        answers(&none, &rays, Way::Slice).iter().map(|answer| answer.hit).collect();
-    let cut = rays_cut_at_hits(&rays, &hits);
-    rays.extend(bundles_around(&rays[..RAYS / 64]));
-    rays.extend(grids_over(&target, 8, 23));
-    // Last, because their number is any: the others go together by sixteens.
-    rays.extend(cut);
-    let expected = answers(&none, &rays, Way::Slice);
-    (rays, expected)
+/// The rays that are made for a mesh, and their answers without a structure, as far as they were asked for.
+struct MadeRays {
+    none: Indexed<TriangleSet, Exhaustive>,
+    rays: Vec<Ray>,
+    expected: Vec<Answer>,
+    /// Whether the rays that are cut at hits are among them.
+    has_cut: bool,
+}
+
+impl MadeRays {
+    fn of(moved: &Mesh) -> Self {
+        let none = indexed(moved, Quality::Medium, &BuildOptions::NONE);
+        // Even where there is nothing, rays are aimed at something.
+        let single = nasty_meshes::single();
+        let target = if moved.triangles.is_empty() { &single } else { moved };
+        let mut rays = rays_at(target, RAYS, 99);
+        rays.extend(bundles_around(&rays[..RAYS / 64]));
+        rays.extend(grids_over(target, 8, 23));
+        Self { none, rays, expected: Vec::new(), has_cut: false }
+    }
+
+    /// The slice that begins at a ray, with its answers; `None` behind the last.
+    fn slice_from(&mut self, from: usize) -> Option<Range<usize>> {
+        if from == self.rays.len() && !self.has_cut {
+            let hits: Vec<Hit> = self.expected[..RAYS].iter().map(|answer| answer.hit).collect();
+            // Last, because their number is any: the others go together by sixteens.
+            self.rays.extend(rays_cut_at_hits(&self.rays[..RAYS], &hits));
+            self.has_cut = true;
+        }
+        let end = match from {
+            0 => 1,
+            1 => SECOND_END,
+            _ => 2 * from + SECOND_END,
+        };
+        let end = end.min(self.rays.len());
+        let missing = self.expected.len()..end.max(self.expected.len());
+        self.expected.extend(answers(&self.none, &self.rays[missing], Way::Slice));
+        (from < end).then_some(from..end)
+    }
+
+    /// The first so many rays, as what was compared.
+    fn summary(&self, compared: usize, whole: bool) -> Summary {
+        let hits = self.expected[..compared].iter().filter(|answer| answer.hit.is_hit()).count();
+        Summary { meshes: usize::from(whole), all_meshes: 0, rays: compared, hits }
+    }
 }
 
 pub(super) fn indexed<P: Triangles, A: Accel>(

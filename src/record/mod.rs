@@ -32,7 +32,7 @@ pub use proof::{PeerAgreement, Proof, StructureProof};
 pub use ray_class::RayClass;
 pub use run::{Options, RoundRule, Run};
 pub use sampling::{ConvergedPicture, FramePart, NoisePoint, OperationCost, SamplingChapter};
-pub use scene::{HeatScale, PictureFile, SceneRecord, Spacing};
+pub use scene::{HeatScale, PictureFile, RecordedRays, SceneRecord, Spacing};
 pub use structure::{
     BuildRecord, BuildStage, Memory, PictureRound, ShapeRecord, Status, StructureRecord,
 };

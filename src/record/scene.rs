@@ -22,6 +22,9 @@ pub struct SceneRecord {
     pub stored_triangles: u64,
     /// Lights in the scene.
     pub lights: u64,
+    /// The recorded rays, where they were written to a file or read from one; absent in older records.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rays: Option<RecordedRays>,
     /// The picture that the reference rendered.
     pub picture: Option<PictureFile>,
     /// The proof that all structures gave the same picture and the same hits.
@@ -42,6 +45,17 @@ impl SceneRecord {
     pub fn structure(&self, name: &str) -> Option<&StructureRecord> {
         self.structures.iter().find(|structure| structure.name == name)
     }
+}
+
+/// Recorded rays in a file, by which they can be cited and traced by others.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct RecordedRays {
+    /// SHA-256 of all rays and their answers, which ends the file.
+    pub hash: String,
+    /// SHA-256 of the scene's geometry.
+    pub geometry: String,
+    /// Whether the rays were read from the file; else they were written to it.
+    pub replayed: bool,
 }
 
 /// A picture in a PNG file beside the record.

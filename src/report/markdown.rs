@@ -84,6 +84,11 @@ fn add_scene(scene: &SceneRecord, figures: &SceneFigures, threads: u32, text: &m
         code(&scene.path),
         code(&scene.hash)
     );
+    if let Some(rays) = &scene.rays {
+        let (words, hash, geometry) =
+            (tables::rays_in_words(rays), code(&rays.hash), code(&rays.geometry));
+        let _ = write!(text, "\n{words} SHA-256 {hash}, for geometry with SHA-256 {geometry}\n");
+    }
     if let Some(picture) = &scene.picture {
         let _ = write!(text, "\n![{name}]({})\n", address(&picture.file));
         let _ = write!(text, "\nPixels: SHA-256 {}\n", code(&picture.hash));

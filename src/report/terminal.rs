@@ -20,6 +20,9 @@ pub(super) fn write(report: &Report<'_>) -> String {
     for (scene, figures) in comparison.scenes.iter().zip(&analysis.scenes) {
         let triangles = numbers::count(scene.triangles);
         let _ = writeln!(text, "{} ({triangles} triangles), million rays per second", scene.name);
+        if let Some(rays) = &scene.rays {
+            let _ = writeln!(text, "  {} SHA-256 {}", tables::rays_in_words(rays), rays.hash);
+        }
         for line in table_lines(&scene_table(scene, figures)).lines() {
             let _ = writeln!(text, "  {line}");
         }

@@ -10,6 +10,7 @@ mod compile;
 mod embree;
 mod error;
 mod foreign;
+mod geometry_hash;
 mod lights;
 mod mesh_rays;
 mod object;

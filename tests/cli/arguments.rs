@@ -56,6 +56,7 @@ fn help_names_every_option_and_exit_code() {
         "compare",
         "conformance",
         "report",
+        "rays",
         "check",
         "diff",
         "mesh",
@@ -82,7 +83,7 @@ fn help_names_every_option_and_exit_code() {
         }
     }
     for subcommand in
-        ["compare", "conformance", "report", "check", "diff", "mesh", "completions", "man"]
+        ["compare", "conformance", "report", "rays", "check", "diff", "mesh", "completions", "man"]
     {
         let Run { code, stdout: help, .. } = run_in(Path::new("."), &[subcommand, "--help"]);
         assert_eq!(code, 0);

@@ -13,6 +13,7 @@ mod faults;
 mod interrupt;
 mod mesh;
 mod outputs;
+mod rays;
 mod rendering;
 mod stats;
 mod support;

@@ -25,6 +25,9 @@ pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) 
                 (numbers::things(scene.lights, "light")) ", from " code { (scene.path) } "."
             }
             p class="hash" { "Scene: SHA-256 " code { (scene.hash) } }
+            @if let Some(rays) = &scene.rays {
+                p class="hash" { (tables::rays_in_words(rays)) " SHA-256 " code { (rays.hash) } ", for geometry with SHA-256 " code { (rays.geometry) } }
+            }
             (pictures::strip(page, scene))
             @if let Some(proof) = &scene.proof { (table(&tables::proof_table(proof))) }
             @if let Some(picture) = &scene.picture { p class="hash" { "Pixels of the reference: SHA-256 " code { (picture.hash) } } }

@@ -4,7 +4,8 @@ use super::{Cell, Table};
 use crate::analysis::statistics::BreakEven;
 use crate::analysis::{ClassFigures, SceneFigures, StructureFigures};
 use crate::record::{
-    PeerAgreement, Proof, SceneRecord, ShapeRecord, Status, StructureProof, StructureRecord,
+    PeerAgreement, Proof, RecordedRays, SceneRecord, ShapeRecord, Status, StructureProof,
+    StructureRecord,
 };
 use crate::report::numbers;
 
@@ -200,6 +201,11 @@ pub(in crate::report) fn ray_table(figures: &SceneFigures) -> Table {
         table.rows.extend(rows.map(|(structure, class)| ray_row(&structure.structure, class)));
     }
     table
+}
+
+/// Where the rays come from, before their hash.
+pub(in crate::report) fn rays_in_words(rays: &RecordedRays) -> &'static str {
+    if rays.replayed { "Rays read from a file:" } else { "Rays written to a file:" }
 }
 
 /// How the rows of rays are to be read.
