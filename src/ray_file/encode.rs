@@ -75,7 +75,7 @@ fn add_answers(answers: &RayAnswers, bytes: &mut Vec<u8>) {
             }
         }
         RayAnswers::AnyHit(blocked) => {
-            bytes.extend(blocked.iter().map(|&blocked| u8::from(blocked)))
+            bytes.extend(blocked.iter().map(|&blocked| u8::from(blocked)));
         }
     }
 }
