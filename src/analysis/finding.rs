@@ -92,7 +92,7 @@ fn finding(scenes: &[SceneRecord], a: &str, b: &str, class: RayClass) -> Option<
         ratio: mean.map(upright),
         lowest: ratios().fold(f64::INFINITY, f64::min),
         highest: ratios().fold(0.0, f64::max),
-        rays: seen.iter().map(|scene| scene.2).sum(),
+        rays: seen.iter().map(|scene| scene.2).fold(0, u64::saturating_add),
         scenes: seen.into_iter().map(|scene| scene.0).collect(),
     })
 }

@@ -180,7 +180,7 @@ fn mean_ray_ns(classes: &[ClassFigures]) -> Option<f64> {
 
 /// Build and rendering of each round, in nanoseconds.
 fn picture_ns(structure: &StructureRecord) -> Vec<f64> {
-    picture_part(structure, |round| round.build_ns + round.render_ns)
+    picture_part(structure, |round| round.build_ns.saturating_add(round.render_ns))
 }
 
 /// A part of each round, in nanoseconds.

@@ -247,8 +247,30 @@ fn similar_name(path: &Path) -> String {
     }
 }
 
+/// The mesh in the bytes of a Wavefront OBJ file, which errors call by `path`. Reads no file.
+///
+/// ```
+/// use srt::assets::read_obj;
+///
+/// let name = std::path::Path::new("corner.obj");
+/// let mesh = read_obj(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec(), name).unwrap();
+/// assert_eq!(mesh.triangles, [[0, 1, 2]]);
+/// let error = read_obj(b"v 0 0 0\nf 1 2 3\n".to_vec(), name).unwrap_err();
+/// assert_eq!(error.place.unwrap().line, 2);
+/// ```
+///
+/// # Errors
+/// As of [`load_meshes`], of the only reference.
+pub fn read_obj(bytes: Vec<u8>, path: &Path) -> Result<MeshData, Box<AssetError>> {
+    mesh_of_bytes(bytes, path).map_err(|failure| Box::new(failure.for_reference(0)))
+}
+
 fn read_mesh(path: &Path) -> Result<MeshData, Box<LoadFailure>> {
     let bytes = read_file(path).map_err(|error| unreadable(path, &error))?;
+    mesh_of_bytes(bytes, path)
+}
+
+fn mesh_of_bytes(bytes: Vec<u8>, path: &Path) -> Result<MeshData, Box<LoadFailure>> {
     if let Some(format) = other_format(path, &bytes) {
         let help = "meshes are read as Wavefront OBJ: convert it".to_owned();
         return Err(LoadFailure::new(

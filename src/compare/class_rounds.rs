@@ -115,8 +115,8 @@ impl ClassRounds {
         }
     }
 
-    /// Runs the rounds of a pass, by the rule of `repeat`. `run` traces a task's blocks and returns the round, or `None`
-    /// if the structure fails.
+    /// Runs the rounds of a pass, by the rule of `repeat`. `run` traces a task's blocks and returns the round, or
+    /// `None` if the structure fails.
     pub(super) fn run_pass(
         &mut self,
         repeat: &Repeat<'_>,

@@ -1,4 +1,7 @@
 //! Record → text for a terminal: an aligned table for each scene and sweep, and the verdict.
+//!
+//! A record may come from anybody: control characters, which could control the terminal, are shown as replacement
+//! characters.
 
 use std::fmt::Write;
 
@@ -18,10 +21,15 @@ pub(super) fn write(report: &Report<'_>) -> String {
     let Report { comparison, analysis, .. } = report;
     let mut text = String::new();
     for (scene, figures) in comparison.scenes.iter().zip(&analysis.scenes) {
-        let triangles = numbers::count(scene.triangles);
-        let _ = writeln!(text, "{} ({triangles} triangles), million rays per second", scene.name);
+        let (name, triangles) = (printable(&scene.name), numbers::count(scene.triangles));
+        let _ = writeln!(text, "{name} ({triangles} triangles), million rays per second");
         if let Some(rays) = &scene.rays {
-            let _ = writeln!(text, "  {} SHA-256 {}", tables::rays_in_words(rays), rays.hash);
+            let _ = writeln!(
+                text,
+                "  {} SHA-256 {}",
+                tables::rays_in_words(rays),
+                printable(&rays.hash)
+            );
         }
         for line in table_lines(&scene_table(scene, figures)).lines() {
             let _ = writeln!(text, "  {line}");
@@ -29,7 +37,7 @@ pub(super) fn write(report: &Report<'_>) -> String {
         text.push('\n');
     }
     for table in analysis.sweeps.iter().flat_map(tables::size_tables) {
-        let _ = writeln!(text, "{}", table.title);
+        let _ = writeln!(text, "{}", printable(&table.title));
         for line in table_lines(&table).lines() {
             let _ = writeln!(text, "  {line}");
         }
@@ -43,24 +51,26 @@ pub(super) fn write(report: &Report<'_>) -> String {
         }
         text.push('\n');
     }
-    text += &verdict(report);
-    text.push('\n');
-    if let Some(weaknesses) = weaknesses(report) {
-        text += &weaknesses;
-        text.push('\n');
-    }
-    if let Some(verdict) = sampling_verdict(report) {
-        text += &verdict;
+    let sentences = [Some(verdict(report)), weaknesses(report), sampling_verdict(report)];
+    for sentence in sentences.into_iter().flatten() {
+        text += &printable(&sentence);
         text.push('\n');
     }
     text
+}
+
+/// On one line, without control characters and those that change the direction of text.
+fn printable(text: &str) -> String {
+    let changes =
+        |c: char| c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    text.replace(changes, "\u{fffd}")
 }
 
 /// What changed against a baseline: warnings, each change with its interval, then the doubts.
 pub(super) fn write_changes(baseline: &Baseline) -> String {
     let Baseline { threshold, outcome: changes } = baseline;
     let warnings: String =
-        changes.warnings.iter().map(|warning| format!("WARNING: {warning}\n")).collect();
+        changes.warnings.iter().map(|w| format!("WARNING: {}\n", printable(w))).collect();
     let mut text = String::new();
     for (word, list) in [
         ("slower", regressions(baseline).collect::<Vec<_>>()),
@@ -73,8 +83,8 @@ pub(super) fn write_changes(baseline: &Baseline) -> String {
                 text,
                 "{word}: {} rays of {} with {} take {times} × the baseline's time (95 % {})",
                 change.class.name(),
-                change.scene,
-                change.structure,
+                printable(&change.scene),
+                printable(&change.structure),
                 spread.unwrap_or_default(),
             );
         }
@@ -88,7 +98,7 @@ pub(super) fn write_changes(baseline: &Baseline) -> String {
         );
     }
     for doubt in &changes.doubts {
-        let _ = writeln!(text, "note: {doubt}");
+        let _ = writeln!(text, "note: {}", printable(doubt));
     }
     warnings + &text
 }
@@ -151,18 +161,17 @@ fn or_dash(text: Option<String>) -> String {
 /// The heading line and the lines of a table, in columns as wide as their widest cell: numbers are
 /// aligned to the right, texts to the left. Spreads are left out.
 pub(crate) fn table_lines(table: &Table) -> String {
-    let width = |(index, column): (usize, &Column)| {
-        let cells = table.rows.iter().map(|row| row[index].text.chars().count());
-        cells.chain([column.head.chars().count()]).max().unwrap_or_default()
-    };
-    let widths: Vec<usize> = table.columns.iter().enumerate().map(width).collect();
-    let heads = table.columns.iter().map(|column| column.head.as_str()).collect();
-    let rows = table.rows.iter().map(|row| row.iter().map(|cell| cell.text.as_str()).collect());
+    let heads = table.columns.iter().map(|column| printable(&column.head)).collect();
+    let cells = |row: &Vec<Cell>| row.iter().map(|cell| printable(&cell.text)).collect();
+    let rows: Vec<Vec<String>> =
+        std::iter::once(heads).chain(table.rows.iter().map(cells)).collect();
+    let width = |index: usize| rows.iter().map(|row| row[index].chars().count()).max();
+    let widths: Vec<usize> =
+        (0..table.columns.len()).map(|index| width(index).unwrap_or_default()).collect();
     let mut text = String::new();
-    for row in std::iter::once(heads).chain(rows) {
-        let row: Vec<&str> = row;
-        let cells = row.into_iter().zip(&widths).zip(&table.columns);
-        let cell = |((text, &width), column): ((&str, &usize), &Column)| match column.numeric {
+    for row in &rows {
+        let cells = row.iter().zip(&widths).zip(&table.columns);
+        let cell = |((text, &width), column): ((&String, &usize), &Column)| match column.numeric {
             true => format!("{text:>width$}"),
             false => format!("{text:<width$}"),
         };

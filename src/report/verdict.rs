@@ -177,13 +177,14 @@ fn difference(comparison: &Comparison) -> Option<String> {
 /// In how many rays and pictures there was no difference, and which pictures were not compared in full.
 fn equality(comparison: &Comparison) -> String {
     let scenes = &comparison.scenes;
-    let others = |proof: &Proof| -> u64 {
+    let others = |proof: &Proof| -> Vec<u64> {
         let is_other = |entry: &&StructureProof| entry.structure != proof.reference;
-        proof.structures.iter().filter(is_other).map(|entry| entry.rays_checked).sum()
+        proof.structures.iter().filter(is_other).map(|entry| entry.rays_checked).collect()
     };
-    let of_scenes: u64 = scenes.iter().filter_map(|scene| scene.proof.as_ref()).map(others).sum();
-    let of_sweeps: u64 = comparison.sweeps.iter().map(|sweep| sweep.rays_checked).sum();
-    let rays = of_scenes + of_sweeps;
+    let of_scenes = scenes.iter().filter_map(|scene| scene.proof.as_ref()).flat_map(others);
+    let of_sweeps = comparison.sweeps.iter().map(|sweep| sweep.rays_checked);
+    // A record may state any numbers.
+    let rays = of_scenes.chain(of_sweeps).fold(0, u64::saturating_add);
     let unproved: Vec<String> = scenes.iter().filter_map(unproved).collect();
     let (proved, all) = (scenes.len() - unproved.len(), scenes.len());
     let rays = (rays > 0).then(|| format!("{} compared rays", numbers::count(rays)));

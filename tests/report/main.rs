@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
+mod any_values;
 mod baseline;
 mod html;
 mod looks;

@@ -11,6 +11,10 @@ pub(in crate::report) enum AxisKind {
     Logarithmic,
 }
 
+/// Beyond these, numbers are taken to an axis's end: the ratio and the difference of any two within are finite.
+const SMALLEST: f64 = 1e-150;
+const LARGEST: f64 = 1e150;
+
 /// An axis from `low` at place `from` to `high` at place `to`.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::report) struct Axis {
@@ -21,13 +25,20 @@ pub(in crate::report) struct Axis {
     to: f64,
 }
 
+impl AxisKind {
+    /// The nearest number that an axis may have; a NaN is the smallest.
+    fn within(self, value: f64) -> f64 {
+        let floor = if self == Self::Logarithmic { SMALLEST } else { -LARGEST };
+        value.max(floor).min(LARGEST)
+    }
+}
+
 impl Axis {
-    /// An axis over exactly this range; a logarithmic one starts above 0.
+    /// An axis over this range, as far as numbers can be told apart in it; a logarithmic one starts above 0.
     pub(in crate::report) fn new(kind: AxisKind, range: (f64, f64), places: (f64, f64)) -> Self {
-        let floor = if kind == AxisKind::Logarithmic { f64::MIN_POSITIVE } else { f64::MIN };
-        let low = range.0.max(floor);
-        let mut high = range.1.max(low);
-        if high <= low {
+        let (low, mut high) = (kind.within(range.0), kind.within(range.1));
+        // Steps along it are numbers of their own.
+        if high - low <= (1e-9 * low.abs()).max(SMALLEST) {
             high = if low == 0.0 { 1.0 } else { low + low.abs() };
         }
         Self { kind, low, high, from: places.0, to: places.1 }
@@ -43,17 +54,17 @@ impl Axis {
             Some(range.map_or((value, value), |(a, b)| (a.min(value), b.max(value))))
         })?;
         // At least a factor of 2.5, so that the axis has ticks.
+        let (low, high) = (AxisKind::Logarithmic.within(low), AxisKind::Logarithmic.within(high));
         let margin = (high / low).powf(0.06).max((2.5 * low / high).sqrt()).max(1.05);
         Some(Self::new(AxisKind::Logarithmic, (low / margin, high * margin), places))
     }
 
     /// The place of a number.
     pub(in crate::report) fn at(&self, value: f64) -> f64 {
+        let value = self.kind.within(value);
         let share = match self.kind {
             AxisKind::Linear => (value - self.low) / (self.high - self.low),
-            AxisKind::Logarithmic => {
-                (value.max(f64::MIN_POSITIVE) / self.low).ln() / (self.high / self.low).ln()
-            }
+            AxisKind::Logarithmic => (value / self.low).ln() / (self.high / self.low).ln(),
         };
         self.from + share * (self.to - self.from)
     }

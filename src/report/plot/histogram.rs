@@ -96,10 +96,10 @@ fn draw(
 
 /// Shares of the leaves by size; those of many primitives together.
 fn shares(counts: &[u64]) -> Vec<f64> {
-    let total: u64 = counts.iter().sum();
+    let total: f64 = counts.iter().map(|&n| n as f64).sum();
     let mut shares = vec![0.0; counts.len().min(SIZES + 2)];
     for (size, &n) in counts.iter().enumerate() {
-        shares[size.min(SIZES + 1)] += n as f64 / total as f64;
+        shares[size.min(SIZES + 1)] += n as f64 / total;
     }
     shares
 }

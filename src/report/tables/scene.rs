@@ -41,7 +41,7 @@ const PEER_NOTE: &str = "A peer is another library. Its formulas differ from srt
                          the same primitive or nearly the same distance.";
 
 fn peer_row(entry: &PeerAgreement) -> Vec<Cell> {
-    let differing = entry.rays_checked - entry.rays_agreeing;
+    let differing = entry.rays_checked.saturating_sub(entry.rays_agreeing);
     vec![
         Cell::text(&entry.structure),
         Cell::text(agreement(entry)),

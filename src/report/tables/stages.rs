@@ -20,7 +20,7 @@ pub(in crate::report) fn stage_table(scene: &SceneRecord, threads: u32) -> Table
 
 fn stage_rows(structure: &StructureRecord) -> impl Iterator<Item = Vec<Cell>> {
     let stages = &structure.build.stages;
-    let all: u64 = stages.iter().map(|stage| stage.ns).sum();
+    let all = stages.iter().map(|stage| stage.ns).fold(0, u64::saturating_add);
     stages.iter().map(move |stage| {
         let share = (all > 0).then(|| stage.ns as f64 / all as f64);
         vec![

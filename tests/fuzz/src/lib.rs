@@ -1,0 +1,17 @@
+//! What the fuzz targets of srt share. A target is a file in `targets/`; `docs/fuzzing.md` describes them.
+
+mod csv;
+mod depth;
+mod html;
+mod json;
+mod lines;
+mod markdown;
+mod memory;
+mod reports;
+pub mod small_scene;
+
+pub use depth::{count, is_one_of};
+pub use json::mutate as mutate_json;
+pub use lines::mutate as mutate_lines;
+pub use memory::{CountingAllocator, peak};
+pub use reports::check_every_form;
