@@ -10,7 +10,7 @@ use crate::math::{Hit, Ray};
 /// The first ray whose answers differ.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub struct FirstDifference {
-    /// The mesh, by its name in [`nasty_meshes`].
+    /// The mesh, by its name in [`nasty_meshes`](super::nasty_meshes).
     pub mesh: &'static str,
     /// What it was scaled by.
     pub scale: f32,

@@ -42,7 +42,7 @@ pub use summary::Summary;
 const PLACES: [(f32, Vec3); 4] =
     [(1.0, Vec3::ZERO), (1e6, Vec3::ZERO), (1e-6, Vec3::ZERO), (1e3, Vec3::splat(1e6))];
 
-/// Compares a structure over the triangles of [`nasty_meshes`] with [`Exhaustive`], by
+/// Compares a structure over the triangles of [`nasty_meshes`] with [`Exhaustive`](crate::accel::Exhaustive), by
 /// [`adversarial_rays`] and [`axis_grids`] at scales from 10⁻⁶ to 10⁶.
 ///
 /// # Errors

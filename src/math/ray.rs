@@ -48,6 +48,9 @@ impl Ray {
 
     /// Whether it is within the range of rays.
     ///
+    /// In a scene the same must hold in the space of each object with a transform: a ray with components beyond about
+    /// 10¹² may be infinite in that of a small one, and what it hits there is not defined.
+    ///
     /// # Errors
     /// With what is first out of it.
     pub fn check(&self) -> Result<(), RayError> {
