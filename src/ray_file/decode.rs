@@ -6,7 +6,8 @@ use sha2::{Digest, Sha256};
 use super::encode::hash_of;
 use super::error::RayFileError;
 use super::{
-    ANY, CLOSEST, ClassRays, ENTRY, HEADER, Hash, MAGIC, RAY, RayAnswers, RayFile, VERSION,
+    ANY, CLOSEST, ClassRays, ENTRY, HEADER, Hash, MAGIC, RAY, RAYS_PER_CALL, RayAnswers, RayFile,
+    VERSION,
 };
 use crate::math::{Hit, Ray};
 use crate::record::RayClass;
@@ -44,6 +45,13 @@ impl RayFile {
             return Err(RayFileError::Length { expected, found });
         }
         check_hash(bytes)?;
+        // Nothing is passed over: equal rays have equal bytes, and so one hash.
+        for (at, expected) in [(48, RAYS_PER_CALL), (52, 0)] {
+            let found = u32_at(header, at);
+            if found != expected {
+                return Err(RayFileError::Header { at, found, expected });
+            }
+        }
         let geometry = header[16..48].try_into().unwrap_or_default();
         let mut rest = &bytes[behind_table..];
         let mut file = Self { geometry, classes: Vec::new() };

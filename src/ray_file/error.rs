@@ -35,6 +35,16 @@ pub enum RayFileError {
         /// The hash at the end, hexadecimal.
         stated: String,
     },
+    /// A word of its header is not what version 1 has there.
+    #[error("bytes {at} to {} have {found}, where version 1 of the form has {expected}", at + 3)]
+    Header {
+        /// Where the word is.
+        at: usize,
+        /// What is there.
+        found: u32,
+        /// What version 1 has.
+        expected: u32,
+    },
     /// A class, a query or a field without a meaning has a number that is not known.
     #[error("class {number} of its table has an unknown {what}: {found}")]
     Unknown {

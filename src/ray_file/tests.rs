@@ -98,6 +98,9 @@ fn what_is_impossible_is_named() {
     };
     assert!(text(&set(0, *b"obj ")).starts_with("it does not begin with `srt-rays`"));
     assert!(text(&set(8, [9, 0, 0, 0])).starts_with("it has version 9 of the form"));
+    let calls = "bytes 48 to 51 have 8, where version 1 of the form has 1024";
+    assert_eq!(text(&set(48, [8, 0, 0, 0])), calls);
+    assert!(text(&|bytes| bytes[55] = 1).starts_with("bytes 52 to 55 have 16777216, where"));
     assert_eq!(text(&|bytes| bytes[56] = 7), "class 1 of its table has an unknown class: 7");
     assert_eq!(text(&|bytes| bytes[73] = 2), "class 2 of its table has an unknown query: 2");
     assert!(

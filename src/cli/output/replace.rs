@@ -18,7 +18,9 @@ pub(super) fn check(path: &Path) -> io::Result<()> {
         Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
         Ok(_) | Err(_) => {}
     }
-    // Only creating one shows whether that is possible: permissions are not all that may forbid it.
+    // Only creating one shows whether that is possible: permissions are not all that may forbid it. The lock is held
+    // until it is removed again, so that the process does not end before.
+    let _unfinished = lock();
     create_beside(path).map(drop)
 }
 
