@@ -163,6 +163,7 @@ fn grids_along_the_axes() {
         [(1.0, Vec3::ZERO), (1e6, Vec3::ZERO), (1e-6, Vec3::ZERO), (1e3, Vec3::splat(1e6))];
     let meshes = nasty_meshes::all();
     let cases: Vec<_> = meshes.iter().flat_map(|mesh| places.map(|place| (mesh, place))).collect();
+    let side = for_this_isa(24).max(16);
     let hits: usize = cases
         .par_iter()
         .with_max_len(1)
@@ -170,7 +171,7 @@ fn grids_along_the_axes() {
             let mesh = mesh.moved(scale, offset);
             let structures = structures(&mesh, &[Quality::Medium]);
             let none = indexed::<Exhaustive>(&mesh, Quality::Medium);
-            let grids = grids_over(&mesh, 24, 23);
+            let grids = grids_over(&mesh, side, 23);
             let expected = trace(&none, &grids);
             assert_all_equal(&mesh, &structures, &grids, &expected);
             let cut = rays_cut_at_hits(&grids, &expected.0);
@@ -179,7 +180,7 @@ fn grids_along_the_axes() {
         })
         .sum();
     println!("{hits} rays along an axis hit");
-    assert!(hits > 100_000, "only {hits} rays hit");
+    assert!(hits > for_this_isa(100_000), "only {hits} rays hit");
 }
 
 #[test]
@@ -286,7 +287,7 @@ fn options_change_no_hit() {
     let chosen: Vec<Structure> = STRUCTURES.iter().flat_map(with_options).collect();
     assert!(chosen.len() > 30, "only {} choices", chosen.len());
     meshes.par_iter().for_each(|mesh| {
-        let rays = rays_at(mesh, 1_500, 31);
+        let rays = rays_at(mesh, for_this_isa(1_500), 31);
         let none = indexed::<Exhaustive>(mesh, Quality::Medium);
         let expected = trace(&none, &rays);
         for structure in &chosen {

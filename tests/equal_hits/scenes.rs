@@ -39,9 +39,9 @@ fn random_scenes_of_transformed_objects() {
 
 #[test]
 fn many_objects_of_all_forms_in_a_deep_tree() {
-    for scale in [1.0, 1e3] {
-        compare(&random_scene(77, scale, 0..700), 77, 6_000);
-    }
+    [1.0, 1e3].par_iter().for_each(|&scale| {
+        compare(&random_scene(77, scale, 0..700), 77, for_this_isa(6_000));
+    });
 }
 
 /// Compares all structures with the first of the table, `none`; returns how many rays.
