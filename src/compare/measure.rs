@@ -34,4 +34,4 @@ pub use super::clock::timed;
 pub use super::extra_rays::{FirstHits, probe_rays, view_rays};
 pub use super::record_rays::RaySet;
 pub use super::rounds::fixed_rounds;
-pub use super::trace::RayResults;
+pub use crate::ray_file::RayAnswers;

@@ -45,6 +45,12 @@ pub(super) fn affordable_builds(build_time: Duration, budget: Budget) -> Option<
 }
 
 impl Passes<'_> {
+    /// What the builds of the fewest passes leave of the budget.
+    pub(super) fn time_for_rounds(&self) -> Duration {
+        let builds = self.build_time.unwrap_or_default() * (LEAST_PASSES - 1);
+        self.budget.left().saturating_sub(builds)
+    }
+
     /// Runs passes over classes until each has enough or the budget is spent, but at least one. `false` if it was
     /// cancelled.
     pub(super) fn run(&self, classes: &mut [ClassRounds], measured: &mut impl Measured) -> bool {

@@ -6,12 +6,13 @@ use std::time::Duration;
 use crate::accel::Tracer;
 use crate::image_io::{Picture, compare};
 use crate::math::Ray;
+use crate::ray_file::RayAnswers;
 use crate::record::StructureProof;
 
 use super::candidate::Candidate;
 use super::picture_file::picture_hash;
 use super::record_rays::{RaySet, spread};
-use super::trace::{RayResult, RayResults, trace};
+use super::trace::{RayResult, trace};
 use super::trial::{RayTimes, affordable};
 
 /// What comparing a class may always take for each structure, even if the budget is spent: quick
@@ -31,7 +32,7 @@ pub(super) fn time_for_class(left: Duration, candidates: usize, classes: usize) 
 pub(super) struct Expected<'a> {
     pub(super) set: &'a RaySet,
     rays: Vec<Ray>,
-    pub(super) results: RayResults,
+    pub(super) results: RayAnswers,
 }
 
 impl Expected<'_> {

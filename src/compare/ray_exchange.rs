@@ -14,7 +14,7 @@ use crate::scene::{BuildError, Scene};
 use super::proof::describe;
 use super::record_rays::{RECORDING_STRUCTURE, RaySet};
 use super::sources::hexadecimal;
-use super::trace::{RayResults, trace};
+use super::trace::trace;
 
 /// Rays for a scene as a file, with their answers. Each class is there once at most, or nobody reads the file.
 ///
@@ -35,7 +35,7 @@ pub(super) fn file_of(scene: &Scene, tracer: &dyn Tracer, sets: &[RaySet]) -> Ra
     let class = |set: &RaySet| {
         let mut results = set.results();
         trace(tracer, &set.rays, &mut results, None);
-        ClassRays { class: set.class, rays: set.rays.clone(), answers: results.into() }
+        ClassRays { class: set.class, rays: set.rays.clone(), answers: results }
     };
     RayFile { geometry: scene.geometry_hash(), classes: sets.iter().map(class).collect() }
 }
@@ -91,8 +91,8 @@ pub fn wrong_answers(scene: &Scene, file: &RayFile) -> Result<Option<WrongAnswer
         let set = set_of(own);
         let mut results = set.results();
         trace(&*tracer, &set.rays, &mut results, None);
-        let stated = RayResults::from(own.answers.clone());
-        let differing: Vec<usize> = results.differing(&stated).collect();
+        let stated = &own.answers;
+        let differing: Vec<usize> = results.differing(stated).collect();
         if let Some(&place) = differing.first() {
             let ray = &set.rays[place];
             first = first
@@ -102,22 +102,4 @@ pub fn wrong_answers(scene: &Scene, file: &RayFile) -> Result<Option<WrongAnswer
         rays += set.rays.len();
     }
     Ok(first.map(|first| WrongAnswers { count, rays, first }))
-}
-
-impl From<RayResults> for RayAnswers {
-    fn from(results: RayResults) -> Self {
-        match results {
-            RayResults::ClosestHit(hits) => Self::ClosestHit(hits),
-            RayResults::AnyHit(blocked) => Self::AnyHit(blocked),
-        }
-    }
-}
-
-impl From<RayAnswers> for RayResults {
-    fn from(answers: RayAnswers) -> Self {
-        match answers {
-            RayAnswers::ClosestHit(hits) => Self::ClosestHit(hits),
-            RayAnswers::AnyHit(blocked) => Self::AnyHit(blocked),
-        }
-    }
 }

@@ -8,18 +8,19 @@ use std::time::Duration;
 
 use crate::accel::Tracer;
 use crate::counters::Counts;
+use crate::ray_file::RayAnswers;
 use crate::record::{ClassRecord, RayClass, Round};
 
 use super::block_sample::{Block, Sample};
 use super::budget::Budget;
 use super::candidate::Candidate;
-use super::class_rounds::{ClassRounds, LEAST_PASSES, Samples, Work, round_shares};
+use super::class_rounds::{ClassRounds, Samples, Work, round_shares};
 use super::clock::timed;
 use super::context::SceneContext;
 use super::hardware::Hardware;
 use super::passes::{Measured, Passes, affordable_builds};
 use super::record_rays::RaySet;
-use super::trace::{RayResults, trace};
+use super::trace::trace;
 use super::trial::RayTimes;
 
 /// Measures the classes of the plan; each structure's row gets them. `times` are the structures' trials with all sets.
@@ -35,17 +36,15 @@ pub(super) fn replay_all(
         wanted.flat_map(|set| works_of(candidates, sets, times, set)).collect();
     let builds = candidates.iter().filter_map(Candidate::build_report).map(|report| report.time);
     let build_time = affordable_builds(builds.sum(), budget);
-    let for_builds = build_time.unwrap_or_default() * (LEAST_PASSES - 1);
-    let time = budget.left().saturating_sub(for_builds);
-    let tasks = tasks(context, candidates, sets, works, time);
-    let mut classes: Vec<ClassRounds> =
-        tasks.iter().map(|class| class.rounds(sets, context.plan.picture.seed)).collect();
     let passes = Passes {
         rule: context.plan.rounds.clone(),
         budget,
         cancelled: context.cancelled,
         build_time,
     };
+    let tasks = tasks(context, candidates, sets, works, passes.time_for_rounds());
+    let mut classes: Vec<ClassRounds> =
+        tasks.iter().map(|class| class.rounds(sets, context.plan.picture.seed)).collect();
     let hardware = Hardware::of_this_thread();
     let mut replay = Replay { context, candidates, sets, classes: tasks, hardware };
     let whole = passes.run(&mut classes, &mut replay);
@@ -97,7 +96,7 @@ struct Task {
     candidate: usize,
     ray_time: Duration,
     samples: Samples,
-    results: RayResults,
+    results: RayAnswers,
 }
 
 /// The structures that have time for each class, with as many rays as they have time for.
@@ -192,7 +191,7 @@ fn run(
     tracer: &dyn Tracer,
     set: &RaySet,
     blocks: &[Block],
-    results: &mut RayResults,
+    results: &mut RayAnswers,
     hardware: &mut Hardware,
 ) -> Round {
     let of_block = |block: &Block| {
@@ -220,7 +219,7 @@ fn note(
         let (mut results, mut counts, mut hits) = (set.results(), Counts::default(), 0);
         for block in &blocks {
             trace(tracer, &set.rays[block.timed.clone()], &mut results, Some(&mut counts));
-            hits += results.hit_count();
+            hits += results.hit_count() as u64;
         }
         (hits, counts)
     });

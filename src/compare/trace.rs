@@ -5,20 +5,12 @@ use std::fmt;
 use crate::accel::{Answers, QueryKind, Scratch, Tracer};
 use crate::counters::Counts;
 use crate::math::{Hit, Ray};
+use crate::ray_file::RayAnswers;
 
 use super::record_rays::RaySet;
 
 /// Rays in a call, as in a renderer's wave.
-pub(super) const RAYS_PER_CALL: usize = 1024;
-
-/// The results of a query for some rays, in their order.
-#[derive(Clone, Debug)]
-pub enum RayResults {
-    /// The closest hit of each ray.
-    ClosestHit(Vec<Hit>),
-    /// Whether each ray hits anything.
-    AnyHit(Vec<bool>),
-}
+pub(super) const RAYS_PER_CALL: usize = crate::ray_file::RAYS_PER_CALL as usize;
 
 /// The result of one ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,20 +19,12 @@ pub(super) enum RayResult {
     AnyHit(bool),
 }
 
-impl RayResults {
+impl RayAnswers {
     /// The result of the ray at a place.
     pub(super) fn get(&self, place: usize) -> RayResult {
         match self {
             Self::ClosestHit(hits) => RayResult::ClosestHit(hits[place]),
             Self::AnyHit(blocked) => RayResult::AnyHit(blocked[place]),
-        }
-    }
-
-    /// How many rays hit something.
-    pub(super) fn hit_count(&self) -> u64 {
-        match self {
-            Self::ClosestHit(hits) => hits.iter().filter(|hit| hit.is_hit()).count() as u64,
-            Self::AnyHit(blocked) => blocked.iter().filter(|&&blocked| blocked).count() as u64,
         }
     }
 
@@ -70,13 +54,6 @@ impl RayResults {
     /// The places of the rays that have another result than in `expected`, bit for bit.
     pub(super) fn differing<'a>(&'a self, expected: &'a Self) -> impl Iterator<Item = usize> + 'a {
         (0..expected.len()).filter(|&place| !self.get(place).same_bits(&expected.get(place)))
-    }
-
-    fn len(&self) -> usize {
-        match self {
-            Self::ClosestHit(hits) => hits.len(),
-            Self::AnyHit(blocked) => blocked.len(),
-        }
     }
 }
 
@@ -116,7 +93,7 @@ impl fmt::Display for RayResult {
 pub(super) fn trace(
     tracer: &dyn Tracer,
     rays: &[Ray],
-    results: &mut RayResults,
+    results: &mut RayAnswers,
     counts: Option<&mut Counts>,
 ) {
     trace_in_calls(tracer, rays, RAYS_PER_CALL, results, counts);
@@ -127,11 +104,11 @@ fn trace_in_calls(
     tracer: &dyn Tracer,
     rays: &[Ray],
     rays_per_call: usize,
-    results: &mut RayResults,
+    results: &mut RayAnswers,
     mut counts: Option<&mut Counts>,
 ) {
     Scratch::of_thread(|scratch| match results {
-        RayResults::ClosestHit(hits) => {
+        RayAnswers::ClosestHit(hits) => {
             hits.resize(rays.len(), Hit::MISS);
             let hits = hits.chunks_mut(rays_per_call);
             for (rays, hits) in rays.chunks(rays_per_call).zip(hits) {
@@ -139,7 +116,7 @@ fn trace_in_calls(
                 tracer.trace(rays, answers, scratch, counts.as_deref_mut());
             }
         }
-        RayResults::AnyHit(blocked) => {
+        RayAnswers::AnyHit(blocked) => {
             blocked.resize(rays.len(), false);
             let blocked = blocked.chunks_mut(rays_per_call);
             for (rays, blocked) in rays.chunks(rays_per_call).zip(blocked) {
@@ -152,21 +129,21 @@ fn trace_in_calls(
 
 /// The closest hit of each ray.
 pub(super) fn closest_hits(tracer: &dyn Tracer, rays: &[Ray]) -> Vec<Hit> {
-    let mut results = RayResults::ClosestHit(Vec::new());
+    let mut results = RayAnswers::ClosestHit(Vec::new());
     trace(tracer, rays, &mut results, None);
     match results {
-        RayResults::ClosestHit(hits) => hits,
-        RayResults::AnyHit(_) => Vec::new(),
+        RayAnswers::ClosestHit(hits) => hits,
+        RayAnswers::AnyHit(_) => Vec::new(),
     }
 }
 
 impl RaySet {
     /// Results of its query, for no rays.
     #[must_use]
-    pub fn results(&self) -> RayResults {
+    pub fn results(&self) -> RayAnswers {
         match self.query {
-            QueryKind::ClosestHit => RayResults::ClosestHit(Vec::new()),
-            QueryKind::AnyHit => RayResults::AnyHit(Vec::new()),
+            QueryKind::ClosestHit => RayAnswers::ClosestHit(Vec::new()),
+            QueryKind::AnyHit => RayAnswers::AnyHit(Vec::new()),
         }
     }
 }

@@ -119,20 +119,27 @@ fn objects_that_cannot_be_traced() {
     insta::assert_snapshot!("objects_that_cannot_be_traced", run.stderr);
 }
 
-#[cfg(target_os = "linux")] // Elsewhere the shell may not be able to limit memory.
+/// What the check of `many.sce` says to a gigabyte of memory.
+#[cfg(target_os = "linux")] // Elsewhere the shell may not be able to limit it.
+fn errors_in_little_memory(folder: &std::path::Path) -> String {
+    let output = std::process::Command::new("sh")
+        .args(["-c", "ulimit -v 1000000 && exec \"$0\" check many.sce"])
+        .arg(assert_cmd::cargo::cargo_bin!("srt"))
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    stderr
+}
+
+#[cfg(target_os = "linux")]
 #[test]
 fn objects_that_memory_cannot_hold() {
     let folder = folder();
     let many = "repeat 4000\n  repeat 4000\n    ball 1 0 0 0\n  end_repeat\nend_repeat\nend\n";
     fs::write(folder.path().join("many.sce"), SCENE.replace("end\n", many)).unwrap();
-    let output = std::process::Command::new("sh")
-        .args(["-c", "ulimit -v 1000000 && exec \"$0\" check many.sce"])
-        .arg(assert_cmd::cargo::cargo_bin!("srt"))
-        .current_dir(folder.path())
-        .output()
-        .unwrap();
-    let stderr = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    let stderr = errors_in_little_memory(folder.path());
     for part in [
         "error: this makes 16000000 objects and lights, more than the memory can hold",
         "--> many.sce:25:1",
@@ -204,20 +211,13 @@ fn what_can_be_checked_beside_a_mesh_that_cannot_be_loaded_is() {
     insta::assert_snapshot!("errors_beside_a_missing_mesh", run.stderr);
 }
 
-#[cfg(target_os = "linux")] // Elsewhere the shell may not be able to limit memory.
+#[cfg(target_os = "linux")]
 #[test]
 fn meshes_beyond_memory_are_told_with_the_errors_of_the_text() {
     let folder = folder();
     let wrong = "ball 1\nobject_flat generate:soup:99M\nobject_flat generate:hall:1k\nend\n";
     fs::write(folder.path().join("many.sce"), SCENE.replace("end\n", wrong)).unwrap();
-    let output = std::process::Command::new("sh")
-        .args(["-c", "ulimit -v 1000000 && exec \"$0\" check many.sce"])
-        .arg(assert_cmd::cargo::cargo_bin!("srt"))
-        .current_dir(folder.path())
-        .output()
-        .unwrap();
-    let stderr = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    let stderr = errors_in_little_memory(folder.path());
     for part in [
         "error: `ball` takes 4 values (radius x y z), found 1",
         "error: the mesh `generate:soup:99000000` is too large: it takes about 7.1 GB of memory",

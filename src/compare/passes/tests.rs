@@ -109,8 +109,8 @@ fn measure(structures: &[Simulated], budget: Duration, seed: u64, machine: u64) 
     let work = |own| Work { ray_time: Duration::from_nanos(mean(own) as u64), rays };
     let works: Vec<Work> = structures.iter().map(work).collect();
     let build_time = affordable_builds(BUILDS, budget);
-    let for_builds = build_time.unwrap_or_default() * (LEAST_PASSES - 1);
-    let shares = round_shares(&works, &rule, budget.left().saturating_sub(for_builds));
+    let passes = Passes { rule, budget, cancelled: &|| false, build_time };
+    let shares = round_shares(&works, &passes.rule, passes.time_for_rounds());
     let tasks: Vec<(usize, Sample)> = shares
         .iter()
         .enumerate()
@@ -126,7 +126,6 @@ fn measure(structures: &[Simulated], budget: Duration, seed: u64, machine: u64) 
         drift: 1.0,
     };
     let mut classes = [ClassRounds::new(rays, seed, &samples)];
-    let passes = Passes { rule, budget, cancelled: &|| false, build_time };
     assert!(passes.run(&mut classes, &mut simulation));
     let [class] = classes;
     let mut record = SceneRecord { name: "simulated".to_owned(), ..SceneRecord::default() };
