@@ -47,11 +47,13 @@ impl Finding {
 /// The best supported finding: of pairs of trees, if there are any, that which was seen in the most scenes, then that
 /// which is the most certain. Peers are left out.
 pub(super) fn best_finding(scenes: &[SceneRecord]) -> Option<Finding> {
-    let is_tree = |row: &StructureRecord| row.shape.as_ref().is_some_and(|shape| shape.depth > 0);
-    best_of(scenes, is_tree).or_else(|| best_of(scenes, |_| true))
+    // One box around everything is no tree: it has a depth, but not a tree's cost.
+    let has_cost = |row: &StructureRecord| row.shape.as_ref()?.sah_cost;
+    let is_tree = |row: &StructureRecord| has_cost(row).is_some();
+    best_of(scenes, &is_tree).or_else(|| best_of(scenes, &|_| true))
 }
 
-fn best_of(scenes: &[SceneRecord], fits: fn(&StructureRecord) -> bool) -> Option<Finding> {
+fn best_of(scenes: &[SceneRecord], fits: &dyn Fn(&StructureRecord) -> bool) -> Option<Finding> {
     let mut names: Vec<&str> = Vec::new();
     for row in scenes.iter().flat_map(|scene| &scene.structures) {
         if !row.peer && fits(row) && !names.contains(&row.name.as_str()) {
@@ -127,10 +129,11 @@ mod tests {
     use super::*;
     use crate::record::{Round, ShapeRecord};
 
-    fn scene(name: &str, structures: &[(&str, u32, &[u64])]) -> SceneRecord {
-        let row = |&(name, depth, ns): &(&str, u32, &[u64])| StructureRecord {
+    /// Structures by their names, costs as trees if they are any, and times.
+    fn scene(name: &str, structures: &[(&str, Option<f64>, &[u64])]) -> SceneRecord {
+        let row = |&(name, sah_cost, ns): &(&str, Option<f64>, &[u64])| StructureRecord {
             name: name.to_owned(),
-            shape: Some(ShapeRecord { depth, ..ShapeRecord::default() }),
+            shape: Some(ShapeRecord { depth: 1, sah_cost, ..ShapeRecord::default() }),
             classes: vec![ClassRecord {
                 class: RayClass::View,
                 rays: 10,
@@ -154,8 +157,18 @@ mod tests {
     fn trees_are_compared_with_trees_over_all_scenes() {
         let quick = [25, 24, 25, 26, 25, 25];
         let scenes = [
-            scene("a", &[("none", 0, &[9_000; 6]), ("bvh", 9, &SIX), ("wide", 5, &quick)]),
-            scene("b", &[("none", 0, &[7_000; 6]), ("bvh", 9, &SIX), ("wide", 5, &SIX)]),
+            scene(
+                "a",
+                &[
+                    ("ball", None, &[9_000; 6]),
+                    ("bvh", Some(9.0), &SIX),
+                    ("wide", Some(5.0), &quick),
+                ],
+            ),
+            scene(
+                "b",
+                &[("ball", None, &[7_000; 6]), ("bvh", Some(9.0), &SIX), ("wide", Some(5.0), &SIX)],
+            ),
         ];
         let finding = best_finding(&scenes).unwrap();
         assert_eq!((finding.faster.as_str(), finding.slower.as_str()), ("wide", "bvh"));
@@ -168,15 +181,17 @@ mod tests {
     #[test]
     fn without_two_trees_the_others_are_compared() {
         let finding =
-            best_finding(&[scene("a", &[("none", 0, &[900; 6]), ("bvh", 9, &SIX)])]).unwrap();
+            best_finding(&[scene("a", &[("none", None, &[900; 6]), ("bvh", Some(9.0), &SIX)])])
+                .unwrap();
         assert_eq!((finding.faster.as_str(), finding.slower.as_str()), ("bvh", "none"));
         assert_eq!(finding.ratio.value, 9.0);
     }
 
     #[test]
     fn what_has_no_interval_or_a_wide_one_is_no_finding() {
-        let few = scene("a", &[("none", 0, &[900; 5]), ("bvh", 9, &[100; 5])]);
-        let wide = scene("b", &[("none", 0, &SIX), ("bvh", 9, &[10, 900, 20, 800, 30, 700])]);
+        let few = scene("a", &[("none", None, &[900; 5]), ("bvh", Some(9.0), &[100; 5])]);
+        let wide =
+            scene("b", &[("none", None, &SIX), ("bvh", Some(9.0), &[10, 900, 20, 800, 30, 700])]);
         assert_eq!(best_finding(&[few, wide]), None);
     }
 }
