@@ -30,7 +30,7 @@ fn planes_without_the_padding_are_found() {
 #[test]
 fn an_end_of_the_search_in_the_first_cell_with_a_hit_is_found() {
     let difference = check::<KdTree<true, true>>().unwrap_err();
-    assert_eq!(difference.mesh, "lattice", "{difference}");
+    assert_eq!(difference.mesh, "nested", "{difference}");
 }
 
 #[test]

@@ -135,8 +135,8 @@ fn what_is_something_else_is_called_by_its_name() {
     let mut of_bvh8 = saved(&built::<Bvh8>(&few(), Quality::Medium));
     assert_eq!(error(b"v 0 0 0\nv 1 0 0\n"), "this is not a saved structure");
     assert_eq!(error(&of_bvh8[..5]), "a saved structure ends too early");
-    of_bvh8[8] = 2;
-    let version = "a saved structure has version 2 of the format, and only 1 can be read";
+    of_bvh8[8] = 3;
+    let version = "a saved structure has version 3 of the format, and only 2 can be read";
     assert_eq!(error(&of_bvh8), version);
     let unreadable = Triangles::<Bvh8>::load(Unreadable).unwrap_err();
     assert!(matches!(unreadable, LoadError::Unreadable(_)));

@@ -157,8 +157,8 @@ fn round(scene: &mut SceneDescription) {
     for object in &mut scene.objects {
         let columns = object.transform.to_cols_array().map(|x| (x * 1e12).round() * 1e-12);
         object.transform = DAffine3::from_cols_array(&columns);
-        if let Shape::Single(Single::Triangle(Triangle { v0, e1, e2 })) = &mut object.shape {
-            for v in [v0, e1, e2] {
+        if let Shape::Single(Single::Triangle(Triangle { corners })) = &mut object.shape {
+            for v in corners {
                 *v = (*v * 1e6).round() * 1e-6;
             }
         }

@@ -51,7 +51,7 @@ pub use indexed::Indexed;
 pub use none::Exhaustive;
 pub use options::{Allowed, BuildOptions, OptionError, OptionInfo};
 pub use order::Order;
-pub use packs::{NoPacks, PACK, PackHits, Packs};
+pub use packs::{NoPacks, NoRay, PACK, PackHits, Packs};
 pub use query::{AllHits, Answers, AnyHit, ClosestHit, Filtered, Query, QueryKind, Search};
 pub use save::{Decoder, Encoder, LoadError, Portable, PortablePrimitives, Slots};
 pub use scratch::Scratch;
@@ -92,9 +92,11 @@ pub trait Bounded: Sync {
 /// decided by the primitives' ids. Boxes that are stored with less precision than `f32` are tested
 /// with a wider padding ([`BoxRay::widened`]).
 ///
-/// Primitives count a hit only inside the interval of their own box, and [`BoxRay::interval`] is
-/// monotone to the bit, so nothing that counts is ever left out, and every structure that keeps
-/// the contract returns the same hits as [`Exhaustive`].
+/// Primitives keep the *own-box rule*: a hit counts only if the interval of its primitive's own box is
+/// not empty, does not end before `ray.t_min`, and begins no later than the hit's `t`
+/// ([`BoxRay::begin`]). [`BoxRay::interval`] is monotone to the bit, so nothing that counts is ever left
+/// out, and every structure that keeps the contract returns the same hits as [`Exhaustive`]. A primitive
+/// whose formula puts a hit before its box lets it count where the box begins, or not at all.
 ///
 /// # Cells
 /// A space partition, or a builder that splits boxes, refers to a primitive from several boxes of
@@ -113,7 +115,8 @@ pub trait Bounded: Sync {
 /// The interval of a box `[low, high]` is `[L(low), H(high)]`: two cells that share the plane `p`
 /// overlap, as the one ends at `H(p)` and the other begins at `L(p)`.
 ///
-/// Let `t` lie in the interval of the primitive's box `[a, b]`, so `L(a) ≤ t ≤ H(b)`. There is a
+/// By the own-box rule there is a `t` in the interval of the primitive's box `[a, b]`, from `ray.t_min`
+/// on, that is no later than the hit: `L(a) ≤ t ≤ H(b)`. There is a
 /// point `x` of `[a, b]` such that `t` lies in the interval of *every* closed box that holds `x`:
 /// let `p` be the last float of `[a, b]` with `L(p) ≤ t`. If `t ≤ H(p)`, let `x = p`. Otherwise
 /// `p < b`, the float `q` after `p` has `t < L(q) ≤ H(q)`, and `x` is any point between `p` and `q`.

@@ -1,6 +1,6 @@
 //! Primitives in packs of eight, for kernels that test eight primitives, or sixteen rays, at once.
 
-use crate::math::{Aabb, Lanes, Lanes3};
+use crate::math::{Aabb, Lanes, Lanes3, Mask as _, Ray};
 use crate::simd::Simd;
 
 /// Lanes of a pack.
@@ -22,29 +22,65 @@ pub struct PackHits<L: Lanes> {
     pub scale: L,
 }
 
+impl<L: Lanes> PackHits<L> {
+    /// Bits of the lanes that are inside but have a scale of zero: there
+    /// [`Packs::flat_hit`] knows.
+    #[inline(always)]
+    #[must_use]
+    pub fn flat(&self) -> u32 {
+        (self.inside & self.scale.abs().le(L::splat(0.0))).bits()
+    }
+
+    /// Puts a parameter and coordinates into a lane.
+    #[inline(always)]
+    pub fn replace(&mut self, lane: usize, [t, u, v]: [f32; 3]) {
+        let mask = 1 << lane;
+        self.t = L::splat(t).select(mask, self.t);
+        self.u = L::splat(u).select(mask, self.u);
+        self.v = L::splat(v).select(mask, self.v);
+        self.scale = L::splat(1.0).select(mask, self.scale);
+    }
+}
+
 /// Primitives by packs and lanes. Slot `i` is lane `i % 8` of pack `i / 8`. Empty lanes give a
 /// parameter that is NaN.
+///
+/// What a formula needs of rays is worked out once, before they are tested with many packs.
 pub trait Packs: Sync {
     /// How many slots a single ray is tested with at once: ranges that begin at a multiple of it are
     /// the cheapest. 1 means that there are no packs, and that none of the methods is called.
     const GRAIN: u32;
 
+    /// A ray as the formula takes it.
+    type Ray: Copy + Default + Send + 'static;
+
+    /// Sixteen rays as the formula takes them.
+    type Rays<S: Simd>: Copy;
+
+    /// A ray as the formula takes it; `inv_dir` is 1/direction, cut to finite values.
+    fn ray(ray: &Ray, inv_dir: &[f32; 3]) -> Self::Ray;
+
+    /// Sixteen rays, by their origins, directions, and 1/direction.
+    fn rays<S: Simd>(
+        origin: &Lanes3<S::F16>,
+        dir: &Lanes3<S::F16>,
+        inv_dir: &Lanes3<S::F16>,
+    ) -> Self::Rays<S>;
+
     /// One ray against the eight primitives of a pack.
-    fn test_pack<S: Simd>(
-        &self,
-        pack: usize,
-        origin: Lanes3<S::F8>,
-        dir: Lanes3<S::F8>,
-    ) -> PackHits<S::F8>;
+    fn test_pack<S: Simd>(&self, pack: usize, ray: &Self::Ray) -> PackHits<S::F8>;
 
     /// Sixteen rays against one primitive.
     fn test_lane<S: Simd>(
         &self,
         pack: usize,
         lane: usize,
-        origin: Lanes3<S::F16>,
-        dir: Lanes3<S::F16>,
+        rays: &Self::Rays<S>,
     ) -> PackHits<S::F16>;
+
+    /// The parameter and the coordinates of a hit that is [`flat`](PackHits::flat); the parameter is NaN if
+    /// there is none.
+    fn flat_hit(&self, pack: usize, lane: usize, ray: &Ray) -> [f32; 3];
 
     /// The primitives' own boxes, lane by lane: low and high corners, the same as those of
     /// [`Packs::bounds`]. Hits are accepted by either.
@@ -67,23 +103,36 @@ pub trait Packs: Sync {
 #[derive(Clone, Copy, Debug)]
 pub struct NoPacks;
 
+/// What rays are for [`NoPacks`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoRay;
+
 /// Why a method of [`NoPacks`] is not called.
 const NONE: &str = "a grain of 1 means that there are no packs";
 
 impl Packs for NoPacks {
     const GRAIN: u32 = 1;
 
-    fn test_pack<S: Simd>(&self, _: usize, _: Lanes3<S::F8>, _: Lanes3<S::F8>) -> PackHits<S::F8> {
+    type Ray = NoRay;
+    type Rays<S: Simd> = NoRay;
+
+    fn ray(_: &Ray, _: &[f32; 3]) -> NoRay {
         unreachable!("{NONE}")
     }
 
-    fn test_lane<S: Simd>(
-        &self,
-        _: usize,
-        _: usize,
-        _: Lanes3<S::F16>,
-        _: Lanes3<S::F16>,
-    ) -> PackHits<S::F16> {
+    fn rays<S: Simd>(_: &Lanes3<S::F16>, _: &Lanes3<S::F16>, _: &Lanes3<S::F16>) -> NoRay {
+        unreachable!("{NONE}")
+    }
+
+    fn test_pack<S: Simd>(&self, _: usize, _: &NoRay) -> PackHits<S::F8> {
+        unreachable!("{NONE}")
+    }
+
+    fn test_lane<S: Simd>(&self, _: usize, _: usize, _: &NoRay) -> PackHits<S::F16> {
+        unreachable!("{NONE}")
+    }
+
+    fn flat_hit(&self, _: usize, _: usize, _: &Ray) -> [f32; 3] {
         unreachable!("{NONE}")
     }
 

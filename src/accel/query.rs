@@ -22,7 +22,7 @@ pub enum Search {
 ///
 /// Whoever searches calls [`start`](Self::start), then [`record`](Self::record) for hits that count,
 /// in any order and some of them perhaps twice, then [`finish`](Self::finish). A hit counts if its
-/// `t` lies between `ray.t_min` and [`end`](Self::end), in the interval of its primitive's own box,
+/// `t` lies between `ray.t_min` and [`end`](Self::end), by the own-box rule of [`Accel`](super::Accel),
 /// and if it is [`accepted`](Self::accepts).
 pub trait Query: Copy + Send + Sync {
     /// What is known of a ray.
@@ -76,8 +76,9 @@ pub trait Query: Copy + Send + Sync {
         *self
     }
 
-    /// Takes up what the primitives of an object have answered.
-    fn merge(&self, answer: &mut Self::Answer, of_object: &Self::Answer, object: u32);
+    /// Takes up what the primitives of an object have answered. Its box begins at `begin`: hits that
+    /// come earlier, by rounding, count there.
+    fn merge(&self, answer: &mut Self::Answer, of_object: &Self::Answer, object: u32, begin: f32);
 }
 
 /// The first hit in the order `(t, object, prim)`, or [`Hit::MISS`].
@@ -118,9 +119,9 @@ impl Query for ClosestHit {
     }
 
     #[inline(always)]
-    fn merge(&self, answer: &mut Hit, of_object: &Hit, object: u32) {
+    fn merge(&self, answer: &mut Hit, of_object: &Hit, object: u32, begin: f32) {
         if of_object.is_hit() {
-            self.record(answer, &Hit { object, ..*of_object });
+            self.record(answer, &of_object.in_object(object, begin));
         }
     }
 }
@@ -154,7 +155,7 @@ impl Query for AnyHit {
     }
 
     #[inline(always)]
-    fn merge(&self, answer: &mut bool, of_object: &bool, _: u32) {
+    fn merge(&self, answer: &mut bool, of_object: &bool, _: u32, _: f32) {
         *answer |= of_object;
     }
 }
@@ -183,9 +184,9 @@ impl Query for AllHits {
         }
     }
 
-    fn merge(&self, answer: &mut Vec<Hit>, of_object: &Vec<Hit>, object: u32) {
+    fn merge(&self, answer: &mut Vec<Hit>, of_object: &Vec<Hit>, object: u32, begin: f32) {
         for hit in of_object {
-            self.record(answer, &Hit { object, ..*hit });
+            self.record(answer, &hit.in_object(object, begin));
         }
     }
 }
@@ -246,8 +247,8 @@ impl<Q: Query, F: Fn(&Ray, &Hit) -> bool + Sync> Query for Filtered<'_, Q, F> {
         Self { query: self.query.in_object(object), object: Some(object), ..*self }
     }
 
-    fn merge(&self, answer: &mut Q::Answer, of_object: &Q::Answer, object: u32) {
-        self.query.merge(answer, of_object, object);
+    fn merge(&self, answer: &mut Q::Answer, of_object: &Q::Answer, object: u32, begin: f32) {
+        self.query.merge(answer, of_object, object, begin);
     }
 }
 

@@ -9,7 +9,7 @@
 use glam::Vec3A;
 
 use super::slab::{finite_reciprocal, slab};
-use super::{Aabb, Padding, Ray, within};
+use super::{Aabb, Lanes, Lanes3, Padding, Ray, within};
 
 /// A ray as boxes see it.
 #[derive(Clone, Copy, Debug)]
@@ -65,7 +65,35 @@ impl BoxRay {
         (near.max_element(), far.min_element())
     }
 
-    /// Whether `t` lies in the interval of the box: the own-box rule.
+    /// [`interval`](Self::interval) of several boxes, by their low and their high corners.
+    #[inline(always)]
+    #[must_use]
+    pub fn intervals<L: Lanes>(&self, [low, high]: [Lanes3<L>; 2]) -> (L, L) {
+        let (x, y, z) = (
+            self.slabs(0, low[0], high[0]),
+            self.slabs(1, low[1], high[1]),
+            self.slabs(2, low[2], high[2]),
+        );
+        (x.0.max(y.0).max(z.0), x.1.min(y.1).min(z.1))
+    }
+
+    #[inline(always)]
+    fn slabs<L: Lanes>(&self, axis: usize, low: L, high: L) -> (L, L) {
+        let origins = [L::splat(self.origin_plus[axis]), L::splat(self.origin_minus[axis])];
+        slab([low, high], origins, L::splat(self.inv_dir[axis]))
+    }
+
+    /// Where hits count at the earliest in the box, if any between `t_min` and `t_max` count there: the
+    /// own-box rule. `None` if its interval is empty, ends before `t_min` or begins behind `t_max`.
+    #[inline]
+    #[must_use]
+    pub fn begin(&self, aabb: &Aabb, [t_min, t_max]: [f32; 2]) -> Option<f32> {
+        let (near, far) = self.interval(aabb);
+        (near <= far && near <= t_max && t_min <= far).then_some(near)
+    }
+
+    /// Whether `t` lies in the interval of the box: all that the own-box rule asks of a hit that is not
+    /// moved.
     #[inline]
     #[must_use]
     pub fn accepts(&self, aabb: &Aabb, t: f32) -> bool {
@@ -128,6 +156,9 @@ mod tests {
             let padding = Padding::of_bounds(&outer);
             let box_ray = BoxRay::new(&ray, padding);
             let (near, far) = box_ray.interval(&inner);
+            let row = |corner: Vec3A| corner.to_array().map(glam::Vec4::splat);
+            let lanes = box_ray.intervals([row(inner.min), row(inner.max)]);
+            assert_eq!((lanes.0[2], lanes.1[2]), (near, far));
             for wider in [box_ray.interval(&outer), box_ray.widened(1.0).interval(&inner)] {
                 assert!(wider.0 <= near && far <= wider.1);
             }

@@ -1,5 +1,7 @@
 //! What a ray found, and the order that makes "the closest" unique.
 
+use super::slab::not_before;
+
 /// The id of no object and no primitive.
 pub const NONE: u32 = u32::MAX;
 
@@ -48,6 +50,13 @@ impl Hit {
     pub fn precedes(&self, other: &Self) -> bool {
         self.t < other.t
             || (self.t == other.t && (self.object, self.prim) < (other.object, other.prim))
+    }
+
+    /// The same hit as one on an object, whose box begins at `begin`: no hit on it counts earlier.
+    #[inline(always)]
+    #[must_use]
+    pub fn in_object(&self, object: u32, begin: f32) -> Self {
+        Self { t: not_before(self.t, begin), object, ..*self }
     }
 
     /// The same bits in every field: what the cross-checks compare.

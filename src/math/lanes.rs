@@ -8,12 +8,12 @@
 //! through the standard library's combinators: these are compiled without the instruction set of the
 //! kernel around them, and a call that hands over a wide value is not inlined.
 
-use std::ops::{Add, BitAnd, Div, Mul, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
 use glam::{BVec3A, BVec4A, Vec3A, Vec4};
 
 /// A yes or no for each lane.
-pub trait Mask: Copy + BitAnd<Output = Self> {
+pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {
     /// How many lanes there are; at most 32.
     const LANES: u32;
     /// As bits, lane 0 the lowest.

@@ -3,7 +3,7 @@
 //! Equal hits rest on these few lines: whoever tests a box, for one ray, for several rays or for
 //! several boxes, calls them. Each rounds monotonically in the plane's coordinate.
 
-use super::{Aabb, Lanes};
+use super::{Aabb, Lanes, Mask as _};
 
 /// How much wider than exact arithmetic the boxes of a set of primitives are tested.
 ///
@@ -72,4 +72,12 @@ pub fn slab<L: Lanes>([low, high]: [L; 2], origins: [L; 2], inv_dir: L) -> (L, L
     let a = crossing(low, origins[0], inv_dir);
     let b = crossing(high, origins[1], inv_dir);
     (a.min(b), a.max(b))
+}
+
+/// `t`, or `begin` if that comes later. A zero that comes from there is positive, so that it does not
+/// matter which of two zeros the smaller or the larger of both was.
+#[inline(always)]
+#[must_use]
+pub fn not_before<L: Lanes>(t: L, begin: L) -> L {
+    t.select(begin.le(t).bits(), begin + L::splat(0.0))
 }

@@ -114,9 +114,7 @@ fn refuse_other_forms(scene: &Scene) -> Result<(), BuildError> {
 fn baked<'a>(scene: &'a Scene, object: &Object) -> TriangleObject<'a> {
     let of_triangle = &[[0, 1, 2]];
     let (positions, triangles): (Cow<'a, [Vec3]>, &'a [[u32; 3]]) = match object.shape {
-        Shape::Single(Single::Triangle(own)) => {
-            (vec![own.v0, own.v0 + own.e1, own.v0 + own.e2].into(), of_triangle)
-        }
+        Shape::Single(Single::Triangle(own)) => (own.corners.to_vec().into(), of_triangle),
         Shape::Mesh { mesh, .. } => {
             let mesh = &scene.meshes()[mesh];
             (mesh.positions[..].into(), &mesh.triangles)

@@ -42,9 +42,9 @@ impl Hasher {
                 self.floats(&[center.x, center.y, center.z, radius]);
             }
             Shape::Single(Single::Cylinder(Cylinder)) => self.0.update([CYLINDER]),
-            Shape::Single(Single::Triangle(Triangle { v0, e1, e2 })) => {
+            Shape::Single(Single::Triangle(Triangle { corners })) => {
                 self.0.update([TRIANGLE]);
-                [v0, e1, e2].iter().for_each(|vector| self.floats(&vector.to_array()));
+                corners.iter().for_each(|corner| self.floats(&corner.to_array()));
             }
             Shape::Mesh { mesh, .. } => {
                 self.0.update([MESH]);

@@ -4,21 +4,20 @@
 use crate::accel::{Accel, Indexed, Query, Scratch};
 use crate::counters::Counters;
 use crate::math::{BoxRay, Ray};
-use crate::shapes::{Instance, TriangleSet};
+use crate::shapes::{Entered, Instance, TriangleSet};
 
 /// Fewer rays are searched for one by one: a structure's kernels take time to begin.
 const FEW: usize = 4;
 
-/// Rays in the object's own space, which rays of the slice they are, and their answers.
+/// The rays that meet an object's box, and what the mesh answers them.
 struct OwnRays<A> {
-    rays: Vec<Ray>,
-    entered: Vec<u32>,
+    entered: Entered,
     answers: Vec<A>,
 }
 
 impl<A> Default for OwnRays<A> {
     fn default() -> Self {
-        Self { rays: Vec::new(), entered: Vec::new(), answers: Vec::new() }
+        Self { entered: Entered::default(), answers: Vec::new() }
     }
 }
 
@@ -32,9 +31,9 @@ pub(super) fn test_mesh<Q: Query, A: Accel, C: Counters>(
     answer: &mut Q::Answer,
     counters: &mut C,
 ) {
-    let own = instance.enter(ray, box_ray, query.end(ray, answer));
+    let (own, begin) = instance.enter(ray, box_ray, query.end(ray, answer));
     let of_mesh = mesh.search_one(&query.in_object(instance.object), &own, counters);
-    query.merge(answer, &of_mesh, instance.object);
+    query.merge(answer, &of_mesh, instance.object, begin);
 }
 
 /// Takes up what a mesh answers for some of a slice of rays. `which` has their places in both slices.
@@ -49,8 +48,9 @@ pub(super) fn test_mesh_many<Q: Query, A: Accel, C: Counters>(
 ) {
     let in_object = query.in_object(instance.object);
     scratch.lend(|own: &mut OwnRays<Q::Answer>, scratch| {
-        let OwnRays { rays: own, entered, answers: of_mesh } = own;
-        instance.enter_many(query, (rays, which), answers, own, entered);
+        let OwnRays { entered, answers: of_mesh } = own;
+        instance.enter_many(query, (rays, which), answers, entered);
+        let Entered { rays: own, places, begins } = entered;
         of_mesh.clear();
         if own.len() < FEW {
             of_mesh.extend(own.iter().map(|ray| mesh.search_one(&in_object, ray, counters)));
@@ -58,8 +58,8 @@ pub(super) fn test_mesh_many<Q: Query, A: Accel, C: Counters>(
             of_mesh.extend(own.iter().map(|ray| query.start(ray)));
             mesh.search(&in_object, own, of_mesh, scratch, counters);
         }
-        for (&place, of_mesh) in entered.iter().zip(of_mesh) {
-            query.merge(&mut answers[place as usize], of_mesh, instance.object);
+        for ((&place, &begin), of_mesh) in places.iter().zip(&*begins).zip(of_mesh) {
+            query.merge(&mut answers[place as usize], of_mesh, instance.object, begin);
         }
     });
 }

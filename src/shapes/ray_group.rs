@@ -1,20 +1,21 @@
 //! Sixteen rays at an object, a ray in each lane.
 
+use glam::Vec3;
+
 use crate::accel::Query;
 use crate::math::slab::{finite_reciprocal, slab};
 use crate::math::{Lanes, Lanes3, Mask as _, Ray, within};
 use crate::simd::{LANES, Row, Simd};
 
 use super::Instance;
+use super::single_shape::Reach;
 
 /// Rays, and where hits count.
 pub(super) struct RayGroup<S: Simd> {
     pub(super) origin: Lanes3<S::F16>,
     pub(super) dir: Lanes3<S::F16>,
-    /// The parameters between which hits count: in the rays' intervals before the ends of their
-    /// searches, and in those of the object's box.
-    pub(super) begin: S::F16,
-    pub(super) end: S::F16,
+    /// The parameters between which hits count.
+    pub(super) reach: Reach<S::F16>,
 }
 
 impl<S: Simd> RayGroup<S> {
@@ -35,11 +36,11 @@ impl<S: Simd> RayGroup<S> {
             ends[lane % LANES] = query.end(ray, &answers[at as usize]);
         }
         let rows = S::transpose(records);
+        let of_ray = [rows[3], S::F16::load(&ends)];
         let mut group = Self {
             origin: [rows[0], rows[1], rows[2]],
             dir: [rows[4], rows[5], rows[6]],
-            begin: rows[3],
-            end: S::F16::load(&ends),
+            reach: Reach { of_ray, in_box: of_ray },
         };
         group.cut_to_box(instance);
         group
@@ -57,15 +58,36 @@ impl<S: Simd> RayGroup<S> {
             let inv_dir = finite_reciprocal(self.dir[axis]);
             let (near, far) = slab([low, high], [*origin + pad, *origin - pad], inv_dir);
             // Of a number and what is none, the second operand remains: no hit lies before it.
-            self.begin = near.max(self.begin);
-            self.end = far.min(self.end);
+            let [begin, end] = self.reach.in_box;
+            self.reach.in_box = [near.max(begin), far.min(end)];
         }
     }
 
-    /// Which rays count a hit at these parameters.
+    /// The rays, one by one, without their intervals.
+    #[inline(always)]
+    pub(super) fn rays(&self) -> [Ray; LANES] {
+        let mut rows = [[0.0; LANES]; 6];
+        for axis in 0..3 {
+            self.origin[axis].store(&mut rows[axis]);
+            self.dir[axis].store(&mut rows[3 + axis]);
+        }
+        let vector = |first: usize, lane: usize| {
+            Vec3::new(rows[first][lane], rows[first + 1][lane], rows[first + 2][lane])
+        };
+        std::array::from_fn(|lane| Ray::new(vector(0, lane), vector(3, lane)))
+    }
+
+    /// Which rays meet the object's box.
+    #[inline(always)]
+    pub(super) fn meets(&self) -> u32 {
+        let [begin, end] = self.reach.in_box;
+        begin.le(end).bits()
+    }
+
+    /// Which rays count a hit at these parameters, if hits are not moved.
     #[inline(always)]
     pub(super) fn accepts(&self, t: S::F16) -> u32 {
-        within(t, [self.begin, self.end]).bits()
+        within(t, self.reach.in_box).bits()
     }
 
     /// Takes the rays to the object's own space: the operations of `RayToObject::apply`.

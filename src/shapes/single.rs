@@ -3,9 +3,9 @@
 //! Many rays against one are in `single_many.rs`, by the same formulas.
 
 use crate::accel::{Query, Search};
-use crate::math::{Aabb, BoxRay, Hit, Ray, within};
+use crate::math::{Aabb, BoxRay, Hit, Ray};
 
-use super::single_shape::SingleShape;
+use super::single_shape::{Reach, SingleShape};
 use super::{Instance, Single, SurfacePoint};
 
 impl Single {
@@ -21,19 +21,20 @@ impl Single {
         answer: &mut Q::Answer,
     ) {
         let t_max = query.end(ray, answer);
+        let (near, far) = box_ray.interval(&instance.bounds);
+        let in_box = [near.max(ray.t_min), far.min(t_max)];
+        let reach = Reach { of_ray: [ray.t_min, t_max], in_box };
         let own = instance.own_ray(&Ray { t_max, ..*ray });
-        // Returns whether what lies farther on the shape is of no interest.
-        let offer = |hit: Hit| {
-            let in_reach = within(hit.t, [own.t_min, own.t_max]);
-            let hit = Hit { object: instance.object, ..hit };
-            let recorded =
-                in_reach && box_ray.accepts(&instance.bounds, hit.t) && query.accepts(&own, &hit);
+        // Records a hit that counts. Returns whether what lies farther on the shape is of no interest.
+        let mut offer = |(t, counts): (f32, u32), hit: Hit| {
+            let hit = Hit { t, object: instance.object, ..hit };
+            let recorded = counts & 1 != 0 && query.accepts(&own, &hit);
             if recorded {
                 query.record(answer, &hit);
             }
             recorded && !matches!(Q::SEARCH, Search::All)
         };
-        for_shape!(self, shape => shape.offer_hits(&own, offer));
+        for_shape!(self, shape => shape.offer_hits(&own, |hit| offer(placed(shape, hit.t, &reach), hit)));
     }
 
     /// The noun that messages use for it, after `a`.
@@ -63,4 +64,10 @@ impl Single {
     pub fn surface_point(&self, ray: &Ray, hit: &Hit) -> SurfacePoint {
         for_shape!(self, shape => SingleShape::surface_point(shape, ray, hit))
     }
+}
+
+/// [`SingleShape::placed`] of whichever shape it is.
+#[inline(always)]
+fn placed<T: SingleShape>(_: &T, t: f32, reach: &Reach<f32>) -> (f32, u32) {
+    T::placed(t, reach)
 }

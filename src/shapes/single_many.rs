@@ -4,7 +4,7 @@
 //! what is divided, compared and returned is the same to the bit.
 
 use crate::accel::{Query, Search};
-use crate::math::{BoxRay, Hit, Lanes as _, Mask as _, Ray, ones};
+use crate::math::{BoxRay, Hit, Ray, ones};
 use crate::simd::{Kernel, LANES, Row, Simd, dispatch};
 
 use super::ray_group::RayGroup;
@@ -51,7 +51,7 @@ impl<Q: Query> Kernel for Many<'_, Q> {
         for places in which.chunks(LANES) {
             let mut group =
                 RayGroup::<S>::load(instance, query, (rays, places), answers, &mut records);
-            if group.begin.le(group.end).bits() == 0 {
+            if group.meets() == 0 {
                 continue;
             }
             group.enter_own_space(instance);

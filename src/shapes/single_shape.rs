@@ -1,6 +1,6 @@
 //! What a shape that is one primitive provides, all of it in its own space.
 
-use crate::math::{Aabb, Hit, NONE, Ray};
+use crate::math::{Aabb, Hit, Lanes, Mask as _, NONE, Ray, within};
 use crate::simd::Simd;
 
 use super::SurfacePoint;
@@ -19,6 +19,13 @@ pub(super) trait SingleShape {
         f64::from(self.bounds().size().max_element())
     }
 
+    /// Where a hit counts that the formula puts at `t`, and a bit for each lane in which it does: between
+    /// the ray's own ends, and by the box of the shape.
+    #[inline(always)]
+    fn placed<L: Lanes>(t: L, reach: &Reach<L>) -> (L, u32) {
+        (t, within(t, reach.in_box).bits())
+    }
+
     /// Offers the crossings of a ray, the nearer one first, until one of them is taken; the object's id
     /// is left open. A shape of several parts, as a cylinder's side and caps, numbers them by `prim`.
     fn offer_hits(&self, ray: &Ray, take: impl FnMut(Hit) -> bool);
@@ -28,6 +35,15 @@ pub(super) trait SingleShape {
 
     /// The point of the surface at a hit of a ray.
     fn surface_point(&self, ray: &Ray, hit: &Hit) -> SurfacePoint;
+}
+
+/// The parameters between which hits of rays count.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reach<L> {
+    /// From where the ray begins to the end of the search.
+    pub(super) of_ray: [L; 2],
+    /// The part of it within the shape's box; empty where the first is larger.
+    pub(super) in_box: [L; 2],
 }
 
 /// Where sixteen rays first hit.

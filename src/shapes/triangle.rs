@@ -1,163 +1,183 @@
-//! Triangles: the formula of Möller and Trumbore, for one triangle or for several lanes of them.
+//! Triangles: one watertight formula, for one triangle or for several lanes of them.
 //!
-//! T. Möller, B. Trumbore: *Fast, Minimum Storage Ray/Triangle Intersection*, 1997; here on a
-//! corner and two edges, with the determinant's sign taken out so that the inside test needs no
-//! division. A triangle is defined by its stored corner and edges: its other corners are `v0 + e1`
-//! and `v0 + e2` in `f32`, and its box is the box of these.
+//! S. Woop, C. Benthin, I. Wald: *Watertight Ray/Triangle Intersection*, JCGT 2(1), 2013. Space is
+//! sheared so that the ray runs along an axis ([`ShearedRay`]). What is left is a point, the ray, in a
+//! triangle of the plane.
+//!
+//! # No ray gets between two triangles
+//! 1. A corner's place in the sheared plane is rounded, but by the corner and the ray alone: triangles
+//!    that share a corner see it in one place. So a mesh is a mesh in the sheared plane too, and
+//!    wherever the exact triangles between these places cover the ray, one of them contains it.
+//! 2. For an edge from `p` to `q` the sign of `p × q = p.x·q.y − p.y·q.x` says on which side of it the
+//!    ray lies. Both products are rounded, and rounding is monotone: if `p.x·q.y ≥ p.y·q.x`, that holds
+//!    for the rounded products too. Their difference is rounded as well, with its sign kept (there are
+//!    denormal numbers). So the sign computed is never the wrong one; it may be zero instead. Nothing is
+//!    fused.
+//! 3. Zero counts for either side. So every triangle that contains the ray is hit, at its edges and
+//!    corners too, perhaps together with its neighbours: these give one another the same number with
+//!    opposite signs. Of equal hits the smaller id counts, as ever.
+//! 4. Where all three products are zero, and so the area, the same is computed in `f64`, where the
+//!    products are exact. If the area is still zero, the triangle is seen from its very edge; then it
+//!    covers no more than its neighbours do.
+//! 5. The own-box rule does not refuse the hit. The formula is right about whether the ray hits, but a
+//!    triangle seen from its edge has weights, and so a `t`, that are all rounding, and its box may begin
+//!    behind that. Then the hit counts where the box begins ([`not_before`]). The box itself is never
+//!    missed. Let `R` be the largest distance of its planes from the origin along an axis, and `u` a unit
+//!    of rounding. A place in the sheared plane is off by at most `7u·R`: the corner relative to the origin
+//!    by `u·R`, its product with the slope by `4u·R`, their difference by `2u·R`. The weights that make
+//!    the ray of the places make a point of the exact triangle that is no farther from the ray's line,
+//!    along each axis. Padding is `32u·R` or more, so this point lies `25u·R` within the padded box. The
+//!    slab test is off by at most `3u·R` along each axis: no plane is computed to lie beyond the point.
 
 use glam::{DVec3, Vec3, Vec3A};
 
 use crate::accel::PackHits;
-use crate::math::{
-    Aabb, Hit, Lanes, Lanes3, Mask as _, NONE, Ray, UNIT_ROUNDOFF, cross, dot, sub, within,
-};
-use crate::simd::{Simd, splat3};
+use crate::math::slab::{finite_reciprocal, not_before};
+use crate::math::{Aabb, Hit, Lanes, Lanes3, Mask as _, NONE, Ray, UNIT_ROUNDOFF, ones, within};
+use crate::simd::{LANES, Simd};
 
 use super::SurfacePoint;
 use super::clip::bounds_within;
 use super::ray_group::RayGroup;
-use super::single_shape::{Found, SingleShape};
+use super::sheared_ray::{ShearedRay, TriangleRay, TriangleRays};
+use super::single_shape::{Found, Reach, SingleShape};
 
 /// The ray's hit on the triangle's plane, times the determinant.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ScaledHit<L> {
+pub(super) struct ScaledHit<L: Lanes> {
+    /// Whether the ray's line meets the triangle.
+    pub(super) inside: L::Mask,
     /// Barycentric weight of the second corner, times `det`.
     pub(super) u: L,
     /// Barycentric weight of the third corner, times `det`.
     pub(super) v: L,
     /// Ray parameter, times `det`.
     pub(super) t: L,
-    /// The determinant's absolute value. Degenerate triangles have 0, and an infinite or undefined
-    /// `t / det`.
+    /// The determinant: twice the area in the sheared plane, of either sign. Where it is zero, `t / det`
+    /// is NaN.
     pub(super) det: L,
 }
 
-/// Möller-Trumbore up to the division. NaNs fail every comparison.
+/// The formula up to the division, for corners in the order of the ray's axes. Where a number is NaN, so is
+/// `t`, whatever `inside` says. Where it is
+/// [`flat`](PackHits::flat), it takes [`flat_hit`] to know.
 #[inline(always)]
-pub(super) fn scaled_hit<L: Lanes>(
-    origin: Lanes3<L>,
-    dir: Lanes3<L>,
-    v0: Lanes3<L>,
-    e1: Lanes3<L>,
-    e2: Lanes3<L>,
-) -> ScaledHit<L> {
-    let h = cross(dir, e2);
-    let det = dot(e1, h);
-    let s = sub(origin, v0);
-    let q = cross(s, e1);
-    ScaledHit {
-        u: dot(s, h).flipped_by(det),
-        v: dot(dir, q).flipped_by(det),
-        t: dot(e2, q).flipped_by(det),
-        det: det.abs(),
-    }
-}
-
-/// Whether weights that are scaled by `det` lie in the triangle, edges and corners included.
-#[inline(always)]
-fn inside<L: Lanes>(u: L, v: L, det: L) -> L::Mask {
+pub(super) fn scaled_hit<L: Lanes>(ray: &ShearedRay<L>, [a, b, c]: [Lanes3<L>; 3]) -> ScaledHit<L> {
+    let (a, b, c) = (ray.see(a), ray.see(b), ray.see(c));
+    // The corners' weights, times the determinant.
+    let (of_a, of_b, of_c) = (side(c, b), side(a, c), side(b, a));
+    let det = of_a + of_b + of_c;
     let zero = L::splat(0.0);
-    zero.le(u) & zero.le(v) & (u + v).le(det)
+    let (least, most) = (of_a.min(of_b).min(of_c), of_a.max(of_b).max(of_c));
+    ScaledHit {
+        inside: zero.le(least) | most.le(zero),
+        u: of_b,
+        v: of_c,
+        t: ray.parameter(of_a * a[2] + (of_b * b[2] + of_c * c[2])),
+        det,
+    }
 }
 
-impl<L: Lanes> ScaledHit<L> {
-    /// Whether the ray's line meets the triangle.
-    #[inline(always)]
-    pub(super) fn inside(&self) -> L::Mask {
-        inside(self.u, self.v, self.det)
+/// On which side of the edge between two places the ray lies: twice the area of the triangle that it
+/// makes with them. The same for the edge backwards, but for the sign.
+#[inline(always)]
+fn side<L: Lanes>(p: Lanes3<L>, q: Lanes3<L>) -> L {
+    p[0] * q[1] - p[1] * q[0]
+}
+
+/// `t`, `u` and `v` of a hit whose determinant is rounded to zero, computed in `f64`; `t` is NaN if there
+/// is none.
+#[cold]
+#[inline(never)]
+pub(super) fn flat_hit(ray: &Ray, corners: [Vec3; 3]) -> [f32; 3] {
+    let of_triangles = TriangleRay::from(ray);
+    let (axes, ray) = (of_triangles.axes, of_triangles.splat::<f32>());
+    let see = |corner: Vec3| ray.see(axes.arrange(&corner.to_array())).map(f64::from);
+    let [a, b, c] = corners.map(see);
+    let side = |p: [f64; 3], q: [f64; 3]| p[0] * q[1] - p[1] * q[0];
+    let (of_a, of_b, of_c) = (side(c, b), side(a, c), side(b, a));
+    let det = of_a + of_b + of_c;
+    if det == 0.0 || [of_a, of_b, of_c].iter().any(|of| of * det.signum() < 0.0) {
+        return [f32::NAN; 3];
     }
+    let ahead = (of_a * a[2] + (of_b * b[2] + of_c * c[2])) / det;
+    let [ahead, u, v] = [ahead, of_b / det, of_c / det].map(|x| x as f32);
+    [ray.parameter(ahead), u, v]
 }
 
 impl<L: Lanes> From<ScaledHit<L>> for PackHits<L> {
     #[inline(always)]
     fn from(hit: ScaledHit<L>) -> Self {
-        let ScaledHit { u, v, t, det } = hit;
-        Self { inside: hit.inside(), t, u, v, scale: det }
+        let ScaledHit { inside, u, v, t, det } = hit;
+        Self { inside, t, u, v, scale: det }
     }
 }
 
 /// One triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle {
-    /// First corner.
-    pub v0: Vec3,
-    /// Second corner minus first.
-    pub e1: Vec3,
-    /// Third corner minus first.
-    pub e2: Vec3,
+    /// Its corners.
+    pub corners: [Vec3; 3],
 }
 
 impl Triangle {
-    /// The triangle with these corners, rounded as stored.
+    /// The triangle with these corners.
     #[must_use]
-    pub fn new([a, b, c]: [Vec3; 3]) -> Self {
-        Self { v0: a, e1: b - a, e2: c - a }
+    pub fn new(corners: [Vec3; 3]) -> Self {
+        Self { corners }
     }
 
-    /// Whether nothing of it is infinite or NaN, its far corners as they are stored included.
+    /// Whether nothing of it is infinite or NaN.
     pub(super) fn is_finite(&self) -> bool {
-        let Self { v0, e1, e2 } = *self;
-        v0.is_finite() && (v0 + e1).is_finite() && (v0 + e2).is_finite()
+        self.corners.iter().all(|corner| corner.is_finite())
     }
 
-    /// The box of the stored triangle.
+    /// The smallest box around it.
     #[inline]
     #[must_use]
     pub fn bounds(&self) -> Aabb {
-        Aabb::of_points(self.corners())
+        Aabb::of_points(self.corners.map(Vec3A::from))
     }
 
-    /// A box around the part of the stored triangle within a box; empty where there is none. It lies
+    /// A box around the part of the triangle within a box; empty where there is none. It lies
     /// within both boxes, and is larger than it must be by rounding alone.
     #[must_use]
     pub fn clipped_bounds(&self, to: &Aabb) -> Aabb {
         let own = self.bounds().intersection(*to);
-        if own.is_empty() { own } else { own.intersection(bounds_within(self.corners(), to)) }
-    }
-
-    #[inline]
-    fn corners(&self) -> [Vec3A; 3] {
-        let v0 = Vec3A::from(self.v0);
-        [v0, v0 + Vec3A::from(self.e1), v0 + Vec3A::from(self.e2)]
+        let corners = self.corners.map(Vec3A::from);
+        if own.is_empty() { own } else { own.intersection(bounds_within(corners, to)) }
     }
 
     /// The parameter and the barycentric weights of the second and third corner at which a ray hits
-    /// the triangle within its interval. The triangle's own box is not tested: that is left to the
+    /// the triangle within its interval. The triangle's own box is not consulted: that is left to the
     /// caller, who has the padding.
     #[inline]
     #[must_use]
     pub fn intersect(&self, ray: &Ray) -> Option<(f32, f32, f32)> {
-        let [origin, dir, v0, e1, e2] =
-            [ray.origin, ray.dir, self.v0, self.e1, self.e2].map(|v| v.to_array());
-        // The steps of `scaled_hit`, left as soon as the ray is known to miss. The parameter comes
-        // first: most rays that leave a surface have it behind them.
-        let h = cross(dir, e2);
-        let det = dot(e1, h);
-        let size = det.abs();
-        let s = sub(origin, v0);
-        let q = cross(s, e1);
-        let t = dot(e2, q).flipped_by(det);
-        let u = dot(s, h).flipped_by(det);
-        if !(t >= 0.0 && u >= 0.0 && u <= size) {
+        let of_triangles = TriangleRay::from(ray);
+        let sheared = of_triangles.splat::<f32>();
+        let corners = self.corners.map(|corner| of_triangles.axes.arrange(&corner.to_array()));
+        let mut hit = PackHits::from(scaled_hit(&sheared, corners));
+        if !hit.inside {
             return None;
         }
-        let v = dot(dir, q).flipped_by(det);
-        if !inside(u, v, size) {
-            return None;
+        if hit.flat() != 0 {
+            hit.replace(0, flat_hit(ray, self.corners));
         }
-        let t = t / size;
-        within(t, [ray.t_min, ray.t_max]).then(|| (t, u / size, v / size))
+        let t = hit.t / hit.scale;
+        within(t, [ray.t_min, ray.t_max]).then(|| (t, hit.u / hit.scale, hit.v / hit.scale))
     }
 
     /// The point at barycentric weights `u` (second corner) and `v` (third corner).
     #[inline]
     #[must_use]
     pub fn surface_point(&self, u: f32, v: f32) -> SurfacePoint {
-        let [v0, e1, e2] = [self.v0, self.e1, self.e2].map(Vec3::as_dvec3);
+        let [a, b, c] = self.corners.map(|corner| corner.as_dvec3());
+        let (e1, e2) = (b - a, c - a);
         let normal = e1.cross(e2);
         let area_recip = normal.length_recip();
         SurfacePoint {
-            position: v0 + f64::from(u) * e1 + f64::from(v) * e2,
+            position: a + f64::from(u) * e1 + f64::from(v) * e2,
             normal: normal * area_recip,
             clearance: clearance(e1, e2, area_recip),
         }
@@ -166,6 +186,14 @@ impl Triangle {
 
 impl SingleShape for Triangle {
     const NAME: &'static str = "triangle";
+
+    /// A hit counts where the formula puts it, or where the box begins if that is later; the box does not
+    /// refuse it. See the head of this file.
+    #[inline(always)]
+    fn placed<L: Lanes>(t: L, reach: &Reach<L>) -> (L, u32) {
+        let [begin, end] = reach.in_box;
+        (not_before(t, begin), (within(t, reach.of_ray) & begin.le(end)).bits())
+    }
 
     fn bounds(&self) -> Aabb {
         self.bounds()
@@ -179,18 +207,22 @@ impl SingleShape for Triangle {
 
     #[inline(always)]
     fn first_hits<S: Simd>(&self, rays: &RayGroup<S>) -> Found<S::F16> {
-        let zero = S::F16::splat(0.0);
-        let hit = scaled_hit(
-            rays.origin,
-            rays.dir,
-            splat3(self.v0.to_array()),
-            splat3(self.e1.to_array()),
-            splat3(self.e2.to_array()),
-        );
-        let inside = hit.inside() & zero.le(hit.t);
-        let t = hit.t / hit.det;
-        let lanes = inside.bits() & rays.accepts(t);
-        Found { t, u: hit.u / hit.det, v: hit.v / hit.det, lanes, part: [0; 2] }
+        let [x, y, z] = rays.dir;
+        let inv_dir = [finite_reciprocal(x), finite_reciprocal(y), finite_reciprocal(z)];
+        let of_triangles = TriangleRays::new(&rays.origin, &rays.dir, &inv_dir);
+        let corners = &self.corners;
+        let places = of_triangles.arrange(|corner, axis| corners[corner][axis as usize]);
+        let mut hits = PackHits::from(scaled_hit(&of_triangles.sheared, places));
+        let flat = hits.flat();
+        if flat != 0 {
+            let rays = rays.rays();
+            for lane in ones(flat) {
+                hits.replace(lane, flat_hit(&rays[lane % LANES], self.corners));
+            }
+        }
+        let (t, counts) = Self::placed(hits.t / hits.scale, &rays.reach);
+        let lanes = hits.inside.bits() & counts;
+        Found { t, u: hits.u / hits.scale, v: hits.v / hits.scale, lanes, part: [0; 2] }
     }
 
     #[inline]
@@ -201,16 +233,22 @@ impl SingleShape for Triangle {
 
 /// How far from the plane the sign of `t` is certain.
 ///
-/// `t·det = e2·(s × e1)` is the distance times |e1 × e2|. Each of its products passes five
-/// roundings on the way, so its error is at most 5u·3·|e1||e2||s|, and |s| is at most about the
-/// longest edge. For slivers, whose area is all rounding, the distance is cut to a thousandth of
-/// that edge: beyond it the offset itself would show.
+/// Let `L` be the longest edge, `N` the cross product of two, and `u` a unit of rounding. A ray that begins
+/// near the triangle and hits it sees corners within `L`; `t·det` is its distance times `|N|`. Three errors
+/// add up:
+/// * Places in the sheared plane are off by at most `2u` of what a corner lies aside and `5u` of what it
+///   lies ahead, along two axes. This moves the plane, where the ray meets it, by at most `7.3u·L`.
+/// * Sides are off by `u` times the product of two places' distances from the ray. From a point of a
+///   triangle, the three products are together at most 1.2 times the square of its longest edge. With
+///   the shear, and times the depth of the third corner, that is at most `3.2u·L³`.
+/// * The sum of three products is off by at most `3u·L·|N|`.
+///
+/// As `|N| ≤ L²`, all of it is less than `14u·L³/|N|`. For slivers, whose area is all rounding, the
+/// distance is cut to a thousandth of the longest edge: beyond it the offset itself would show.
 fn clearance(e1: DVec3, e2: DVec3, double_area_recip: f64) -> f64 {
-    const FACTOR: f64 = 15.0 * UNIT_ROUNDOFF;
-    let (a, b) = (e1.length_squared(), e2.length_squared());
-    // With squares, there is one root to draw.
-    let error = FACTOR * double_area_recip;
-    (a.max(b) * (error * error * (a * b)).min(1e-3 * 1e-3)).sqrt()
+    const FACTOR: f64 = 14.0 * UNIT_ROUNDOFF;
+    let square = e1.length_squared().max(e2.length_squared()).max((e2 - e1).length_squared());
+    square.sqrt() * (FACTOR * double_area_recip * square).min(1e-3)
 }
 
 #[cfg(test)]
@@ -257,9 +295,12 @@ mod tests {
             let t = Triangle::new([point(), point(), point()]);
             let origin = 4.0 * point();
             let ray = Ray::new(origin, point() - origin);
-            let rows = |v: Vec3| v.to_array().map(glam::Vec4::splat);
-            let h = scaled_hit(rows(ray.origin), rows(ray.dir), rows(t.v0), rows(t.e1), rows(t.e2));
-            let inside = h.inside().bits() >> 3 & 1 != 0;
+            let of_triangles = TriangleRay::from(&ray);
+            let corners = t
+                .corners
+                .map(|corner| of_triangles.axes.arrange(&corner.to_array()).map(glam::Vec4::splat));
+            let h = scaled_hit(&of_triangles.splat::<glam::Vec4>(), corners);
+            let inside = h.inside.bits() >> 3 & 1 != 0;
             let time = h.t[3] / h.det[3];
             let lanes = (inside && (0.0..=f32::MAX).contains(&time))
                 .then(|| (time, h.u[3] / h.det[3], h.v[3] / h.det[3]));
@@ -270,6 +311,67 @@ mod tests {
             hits += u32::from(lanes.is_some());
         }
         assert!(hits > 100, "{hits}");
+    }
+
+    #[test]
+    fn every_ray_in_a_fan_around_a_corner_is_in_one_of_its_triangles() {
+        let mut random = Random::new(&[41]);
+        let mut hits = [0; 4];
+        for number in 0..40_000u32 {
+            let scale = [1.0, 1e-6, 1e6, 1e-3][number as usize % 4];
+            let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32() - 0.5));
+            let (hub, origin) = (scale * point(), 10.0 * scale * point());
+            // Corners around the hub as the ray sees it: what they enclose contains the hub.
+            let dir = (hub - origin).normalize();
+            let across = dir.any_orthonormal_vector();
+            let up = dir.cross(across);
+            let rim: [Vec3; 5] = std::array::from_fn(|i| {
+                let (sin, cos) = (std::f32::consts::TAU * (i as f32 / 5.0)).sin_cos();
+                hub + scale * (cos * across + sin * up + 0.5 * point())
+            });
+            let to = if number % 3 == 0 { hub } else { hub.lerp(rim[0], 0.3 * random.next_f32()) };
+            let ray = Ray::new(origin, to - origin);
+            let count = (0..5)
+                .filter(|&i| {
+                    Triangle::new([hub, rim[i], rim[(i + 1) % 5]]).intersect(&ray).is_some()
+                })
+                .count();
+            assert!(count > 0, "{ray:?} gets through a corner at {hub}");
+            hits[count.min(3)] += 1;
+        }
+        assert!(hits[1] > 0 && hits[2] > 0, "on edges, too: {hits:?}");
+    }
+
+    #[test]
+    fn a_triangle_whose_area_is_rounded_to_nothing_is_hit_if_it_contains_the_ray() {
+        let mut random = Random::new(&[43]);
+        let (mut inside, mut beside) = (0, 0);
+        for _ in 0..100_000 {
+            // Nearly on a line through the ray, on both sides of it.
+            let mut near = |size: f32| size * (1.0 + random.below(6) as f32 * f32::EPSILON);
+            let corners =
+                [[near(1.0), near(1.0)], [near(-1.0), near(-1.0)], [near(0.75), near(0.75)]];
+            let triangle = Triangle::new(corners.map(|[x, y]| Vec3::new(x, y, 2.0)));
+            let ray = Ray::new(Vec3::ZERO, Vec3::Z);
+            let corners = triangle.corners.map(|corner| corner.to_array());
+            let hit = scaled_hit(&TriangleRay::from(&ray).splat::<f32>(), corners);
+            if PackHits::from(hit).flat() == 0 {
+                continue;
+            }
+            let [a, b, c] = triangle.corners.map(|corner| corner.as_dvec3().truncate());
+            let sides = [a.perp_dot(b), b.perp_dot(c), c.perp_dot(a)];
+            let area: f64 = sides.iter().sum();
+            let contains = area != 0.0 && sides.iter().all(|side| side * area >= 0.0);
+            let hit = triangle.intersect(&ray);
+            assert_eq!(hit.is_some(), contains, "{triangle:?}");
+            if let Some((t, u, v)) = hit {
+                assert!(t == 2.0 && u >= 0.0 && v >= 0.0 && u + v <= 1.0, "{t} {u} {v}");
+                inside += 1;
+            } else {
+                beside += 1;
+            }
+        }
+        assert!(inside > 100 && beside > 100, "{inside} {beside}");
     }
 
     /// Triangles of all kinds with boxes that cut them: far from the origin, slivers, flat; planes
@@ -305,7 +407,7 @@ mod tests {
             let default = own.intersection(to);
             assert_eq!(part.union(default), default);
             smaller += u32::from(part != default);
-            let corners = triangle.corners().map(Vec3A::as_dvec3);
+            let corners = triangle.corners.map(|corner| Vec3A::from(corner).as_dvec3());
             for _ in 0..50 {
                 let [u, v] = random.next_pair().map(f64::from);
                 let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
@@ -369,7 +471,7 @@ mod tests {
     fn the_surface_point_lies_in_the_plane_and_its_clearance_is_tiny() {
         let t = Triangle::new([Vec3::ONE, Vec3::new(4.0, 2.0, 0.0), Vec3::new(0.0, 5.0, 3.0)]);
         let p = t.surface_point(0.3, 0.2);
-        let plane_distance = (p.position - t.v0.as_dvec3()).dot(p.normal.normalize());
+        let plane_distance = (p.position - t.corners[0].as_dvec3()).dot(p.normal.normalize());
         assert!(plane_distance.abs() < 1e-12);
         assert!(p.clearance > 0.0 && p.clearance < 1e-4);
     }

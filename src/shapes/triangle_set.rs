@@ -10,13 +10,15 @@ use rayon::prelude::*;
 
 use crate::accel::{Bounded, PACK, PackHits, Packs, Primitives, Query, Search};
 use crate::counters::Counters;
+use crate::math::slab::not_before;
 use crate::math::{
     Aabb, BoxRay, Hit, Lanes as _, Lanes3, Mask as _, NONE, Padding, Ray, ones, within,
 };
-use crate::simd::{Row, Simd, ask_for_huge_pages, prefetch, splat3};
+use crate::simd::{Row, Simd, ask_for_huge_pages, prefetch};
 
-use super::triangle::scaled_hit;
-use super::{MeshError, Triangle};
+use super::sheared_ray::Axes;
+use super::triangle::{flat_hit, scaled_hit};
+use super::{MeshError, Triangle, TriangleRay, TriangleRays};
 
 /// Lanes that a ray alone is tested with.
 const LANES: usize = 4;
@@ -30,14 +32,13 @@ pub struct TriangleSet {
     padding: Padding,
 }
 
-/// Eight triangles in structure-of-arrays form, five cache lines. Empty lanes are all zero, which
+/// Eight triangles in structure-of-arrays form, five cache lines. Empty lanes are all NaN, which
 /// nothing hits.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 struct Pack {
-    v0: [[f32; PACK]; 3],
-    e1: [[f32; PACK]; 3],
-    e2: [[f32; PACK]; 3],
+    /// A row of eight for each corner and axis.
+    corners: [[[f32; PACK]; 3]; 3],
     prim: [u32; PACK],
 }
 
@@ -47,22 +48,6 @@ struct Half<'a> {
     pack: &'a Pack,
     /// The first of the lanes: 0 or 4.
     first: usize,
-}
-
-/// A ray in every lane.
-struct LaneRay {
-    origin: Lanes3<Vec4>,
-    dir: Lanes3<Vec4>,
-}
-
-impl LaneRay {
-    #[inline(always)]
-    fn new(ray: &Ray) -> Self {
-        Self {
-            origin: ray.origin.to_array().map(Vec4::splat),
-            dir: ray.dir.to_array().map(Vec4::splat),
-        }
-    }
 }
 
 /// What a pack offers a ray: lanes whose triangle is hit at an acceptable `t`, before their boxes are tested.
@@ -149,9 +134,7 @@ impl TriangleSet {
 
     /// The corners of the triangle in a slot, in double precision.
     pub(super) fn corners(&self, slot: u32) -> [DVec3; 3] {
-        let Triangle { v0, e1, e2 } = self.slot(slot).0;
-        let v0 = v0.as_dvec3();
-        [v0, v0 + e1.as_dvec3(), v0 + e2.as_dvec3()]
+        self.slot(slot).0.corners.map(|corner| corner.as_dvec3())
     }
 
     /// The index in the mesh of the triangle in a slot.
@@ -229,10 +212,10 @@ impl Primitives for TriangleSet {
         counters: &mut C,
     ) {
         counters.primitives(slots.len() as u32);
-        let lane_ray = LaneRay::new(ray);
+        let of_triangles = TriangleRay::new(ray, &box_ray.inv_dir.to_array());
         self.any_half(slots, |half, mask| {
             let end = query.end(ray, answer);
-            let candidates = half.candidates(&lane_ray, ray.t_min, end, mask);
+            let candidates = half.candidates(ray, &of_triangles, end, mask);
             candidates.lanes != 0 && half.record(query, &candidates, ray, box_ray, answer)
         });
     }
@@ -241,15 +224,33 @@ impl Primitives for TriangleSet {
 impl Packs for TriangleSet {
     const GRAIN: u32 = LANES as u32;
 
+    type Ray = TriangleRay;
+    type Rays<S: Simd> = TriangleRays<S::F16>;
+
     #[inline(always)]
-    fn test_pack<S: Simd>(
-        &self,
-        pack: usize,
-        origin: Lanes3<S::F8>,
-        dir: Lanes3<S::F8>,
-    ) -> PackHits<S::F8> {
-        let [v0, e1, e2] = self.packs[pack].rows::<S>();
-        scaled_hit(origin, dir, v0, e1, e2).into()
+    fn ray(ray: &Ray, inv_dir: &[f32; 3]) -> TriangleRay {
+        TriangleRay::new(ray, inv_dir)
+    }
+
+    #[inline(always)]
+    fn rays<S: Simd>(
+        origin: &Lanes3<S::F16>,
+        dir: &Lanes3<S::F16>,
+        inv_dir: &Lanes3<S::F16>,
+    ) -> TriangleRays<S::F16> {
+        TriangleRays::new(origin, dir, inv_dir)
+    }
+
+    #[inline(always)]
+    fn test_pack<S: Simd>(&self, pack: usize, ray: &TriangleRay) -> PackHits<S::F8> {
+        let pack = &self.packs[pack];
+        let [a, b, c] = &pack.corners;
+        let corners = [
+            load3::<S>(ray.axes.arrange_refs(a)),
+            load3::<S>(ray.axes.arrange_refs(b)),
+            load3::<S>(ray.axes.arrange_refs(c)),
+        ];
+        scaled_hit(&ray.splat(), corners).into()
     }
 
     #[inline(always)]
@@ -257,23 +258,26 @@ impl Packs for TriangleSet {
         &self,
         pack: usize,
         lane: usize,
-        origin: Lanes3<S::F16>,
-        dir: Lanes3<S::F16>,
+        rays: &TriangleRays<S::F16>,
     ) -> PackHits<S::F16> {
-        let triangle = self.packs[pack].triangle(lane);
-        let [v0, e1, e2] = [triangle.v0, triangle.e1, triangle.e2];
-        scaled_hit(origin, dir, splat3(v0.to_array()), splat3(e1.to_array()), splat3(e2.to_array()))
-            .into()
+        let corners = &self.packs[pack].corners;
+        let places = rays.arrange(|corner, axis| corners[corner][axis as usize][lane % PACK]);
+        scaled_hit(&rays.sheared, places).into()
+    }
+
+    fn flat_hit(&self, pack: usize, lane: usize, ray: &Ray) -> [f32; 3] {
+        flat_hit(ray, self.packs[pack].triangle(lane).corners)
     }
 
     #[inline(always)]
     fn boxes<S: Simd>(&self, pack: usize) -> [Lanes3<S::F8>; 2] {
-        let [v0, e1, e2] = self.packs[pack].rows::<S>();
-        let (mut low, mut high) = (v0, v0);
+        let [a, b, c] = &self.packs[pack].corners;
+        let (mut low, b, c) =
+            (load3::<S>(a.each_ref()), load3::<S>(b.each_ref()), load3::<S>(c.each_ref()));
+        let mut high = low;
         for axis in 0..3 {
-            let (second, third) = (v0[axis] + e1[axis], v0[axis] + e2[axis]);
-            low[axis] = v0[axis].min(second).min(third);
-            high[axis] = v0[axis].max(second).max(third);
+            low[axis] = low[axis].min(b[axis]).min(c[axis]);
+            high[axis] = high[axis].max(b[axis]).max(c[axis]);
         }
         [low, high]
     }
@@ -299,18 +303,13 @@ impl Packs for TriangleSet {
 }
 
 impl Pack {
-    const EMPTY: Self = Self {
-        v0: [[0.0; PACK]; 3],
-        e1: [[0.0; PACK]; 3],
-        e2: [[0.0; PACK]; 3],
-        prim: [NONE; PACK],
-    };
+    const EMPTY: Self = Self { corners: [[[f32::NAN; PACK]; 3]; 3], prim: [NONE; PACK] };
 
     fn set(&mut self, lane: usize, triangle: &Triangle, prim: u32) {
-        for axis in 0..3 {
-            self.v0[axis][lane] = triangle.v0[axis];
-            self.e1[axis][lane] = triangle.e1[axis];
-            self.e2[axis][lane] = triangle.e2[axis];
+        for (rows, corner) in self.corners.iter_mut().zip(triangle.corners) {
+            for (row, value) in rows.iter_mut().zip(corner.to_array()) {
+                row[lane] = value;
+            }
         }
         self.prim[lane] = prim;
     }
@@ -318,37 +317,38 @@ impl Pack {
     #[inline(always)]
     fn triangle(&self, lane: usize) -> Triangle {
         let lane = lane % PACK;
-        let pick = |rows: &[[f32; PACK]; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
-        Triangle { v0: pick(&self.v0), e1: pick(&self.e1), e2: pick(&self.e2) }
-    }
-
-    /// The corners and edges of all eight.
-    #[inline(always)]
-    fn rows<S: Simd>(&self) -> [Lanes3<S::F8>; 3] {
-        [load3::<S>(&self.v0), load3::<S>(&self.e1), load3::<S>(&self.e2)]
+        let [a, b, c] = &self.corners;
+        let pick = |[x, y, z]: &[[f32; PACK]; 3]| Vec3::new(x[lane], y[lane], z[lane]);
+        Triangle::new([pick(a), pick(b), pick(c)])
     }
 }
 
 #[inline(always)]
-fn load3<S: Simd>([x, y, z]: &[[f32; PACK]; 3]) -> Lanes3<S::F8> {
+fn load3<S: Simd>([x, y, z]: [&[f32; PACK]; 3]) -> Lanes3<S::F8> {
     [S::F8::load(x), S::F8::load(y), S::F8::load(z)]
 }
 
 impl Half<'_> {
-    /// Four lanes of three rows.
+    /// Four lanes of a corner, its axes in the order of a ray's.
     #[inline(always)]
-    fn rows(&self, rows: &[[f32; PACK]; 3]) -> Lanes3<Vec4> {
-        rows.each_ref().map(|row| Vec4::from_slice(&row[self.first..]))
+    fn corner(&self, number: usize, axes: Axes) -> Lanes3<Vec4> {
+        let [x, y, z] = axes.arrange_refs(&self.pack.corners[number]);
+        [x, y, z].map(|row| Vec4::from_slice(&row[self.first..]))
     }
 
     #[inline(always)]
-    fn candidates(&self, ray: &LaneRay, t_min: f32, t_max: f32, mask: u32) -> Candidates {
-        let Pack { v0, e1, e2, .. } = self.pack;
-        let hit = scaled_hit(ray.origin, ray.dir, self.rows(v0), self.rows(e1), self.rows(e2));
-        let t = hit.t / hit.det;
-        let in_reach = within(t, [Vec4::splat(t_min), Vec4::splat(t_max)]);
-        let lanes = (hit.inside() & in_reach).bits() & mask;
-        Candidates { t, u: hit.u, v: hit.v, det: hit.det, lanes }
+    fn candidates(&self, ray: &Ray, of_triangles: &TriangleRay, end: f32, mask: u32) -> Candidates {
+        let axes = of_triangles.axes;
+        let corners = [self.corner(0, axes), self.corner(1, axes), self.corner(2, axes)];
+        let mut hits = PackHits::from(scaled_hit(&of_triangles.splat(), corners));
+        for lane in ones(hits.flat() & mask) {
+            let corners = self.pack.triangle(self.first + lane).corners;
+            hits.replace(lane, flat_hit(ray, corners));
+        }
+        let t = hits.t / hits.scale;
+        let in_reach = within(t, [Vec4::splat(ray.t_min), Vec4::splat(end)]);
+        let lanes = (hits.inside & in_reach).bits() & mask;
+        Candidates { t, u: hits.u, v: hits.v, det: hits.scale, lanes }
     }
 
     /// Records the candidates that count. Returns whether the search is over.
@@ -362,19 +362,18 @@ impl Half<'_> {
         answer: &mut Q::Answer,
     ) -> bool {
         for lane in ones(candidates.lanes) {
-            let det = candidates.det[lane];
+            let (t, det) = (candidates.t[lane], candidates.det[lane]);
+            // What another lane has cut off meanwhile need not be looked at.
+            let end = query.end(ray, answer);
+            let Some(begin) = box_ray.begin(&self.bounds(lane), [ray.t_min, end]) else { continue };
             let hit = Hit {
-                t: candidates.t[lane],
+                t: not_before(t, begin),
                 object: 0,
                 prim: self.pack.prim[self.first + lane],
                 u: candidates.u[lane] / det,
                 v: candidates.v[lane] / det,
             };
-            // What another lane has cut off meanwhile need not be looked at.
-            if hit.t <= query.end(ray, answer)
-                && box_ray.accepts(&self.bounds(lane), hit.t)
-                && query.accepts(ray, &hit)
-            {
+            if t <= end && query.accepts(ray, &hit) {
                 query.record(answer, &hit);
                 if const { matches!(Q::SEARCH, Search::First) } {
                     return true;

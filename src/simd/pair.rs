@@ -1,6 +1,6 @@
 //! Two rows as one of twice the width.
 
-use std::ops::{Add, BitAnd, Div, Mul, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
 use crate::math::{Lanes, Mask};
 
@@ -93,6 +93,14 @@ impl<M: Mask> BitAnd for PairMask<M> {
     #[inline(always)]
     fn bitand(self, other: Self) -> Self {
         Self(self.0 & other.0, self.1 & other.1)
+    }
+}
+
+impl<M: Mask> BitOr for PairMask<M> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0, self.1 | other.1)
     }
 }
 

@@ -9,7 +9,7 @@
 
 use std::arch::asm;
 use std::arch::x86_64::*;
-use std::ops::{Add, BitAnd, Div, Mul, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
 use crate::math::{Lanes, Mask};
 
@@ -45,6 +45,7 @@ pub(super) fn has_avx512() -> bool {
 ///
 /// # Safety
 /// [`has_avx2`] must hold.
+#[inline(never)]
 #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
 pub(super) unsafe fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Avx2>()
@@ -120,6 +121,14 @@ impl BitAnd for Signs {
     }
 }
 
+impl BitOr for Signs {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(op!(_mm256_or_ps(self.0, other.0)))
+    }
+}
+
 impl Mask for Signs {
     const LANES: u32 = 8;
 
@@ -136,6 +145,14 @@ macro_rules! bits {
             #[inline(always)]
             fn bitand(self, other: Self) -> Self {
                 Self(self.0 & other.0)
+            }
+        }
+
+        impl BitOr for $mask {
+            type Output = Self;
+            #[inline(always)]
+            fn bitor(self, other: Self) -> Self {
+                Self(self.0 | other.0)
             }
         }
         impl Mask for $mask {

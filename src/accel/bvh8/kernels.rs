@@ -1,6 +1,6 @@
 //! Many rays at once through primitives in packs: packets as long as rays are coherent, and waves.
 
-use crate::accel::{Primitives, Query, Scratch};
+use crate::accel::{Packs, Primitives, Query, Scratch};
 use crate::counters::Counters;
 use crate::math::Ray;
 use crate::simd::{Kernel, Simd, dispatch};
@@ -10,7 +10,7 @@ use super::diverged::Diverged;
 use super::packet::{self, Outcome};
 use super::packet_rays::RAYS;
 use super::task::Task;
-use super::wave;
+use super::wave::{self, RayOf};
 
 /// Rays that are traced together: few enough to stay in a core's cache.
 const AT_ONCE: usize = 4096;
@@ -29,10 +29,9 @@ pub(super) fn search<P: Primitives, Q: Query, C: Counters>(
     scratch.lend(|memory, _| dispatch(Search { task, rays, answers, memory, counters }));
 }
 
-/// The kernels' memory.
-#[derive(Default)]
-struct Memory {
-    wave: wave::Memory,
+/// The kernels' memory; `R` is a ray as the primitives' formula takes it.
+struct Memory<R> {
+    wave: wave::Memory<R>,
     packet: packet::Stack,
     /// Rays that go down in waves from the root, by their place in the slice.
     incoherent: Vec<u32>,
@@ -40,12 +39,23 @@ struct Memory {
     diverged: Diverged,
 }
 
+impl<R: Copy + Default> Default for Memory<R> {
+    fn default() -> Self {
+        Self {
+            wave: wave::Memory::default(),
+            packet: packet::Stack::default(),
+            incoherent: Vec::new(),
+            diverged: Diverged::default(),
+        }
+    }
+}
+
 /// The search for a slice of rays.
 struct Search<'a, P: Primitives, Q: Query, C> {
     task: Task<'a, P, Q>,
     rays: &'a [Ray],
     answers: &'a mut [Q::Answer],
-    memory: &'a mut Memory,
+    memory: &'a mut Memory<RayOf<P>>,
     counters: &'a mut C,
 }
 
@@ -61,10 +71,10 @@ impl<P: Primitives, Q: Query, C: Counters> Kernel for Search<'_, P, Q, C> {
     }
 }
 
-impl Memory {
+impl<R> Memory<R> {
     /// Rays go down by sixteens where and as long as they are coherent, and else in waves.
     #[inline(always)]
-    fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
+    fn search<S: Simd, P: Primitives<Packs: Packs<Ray = R>>, Q: Query, C: Counters>(
         &mut self,
         task: &Task<'_, P, Q>,
         rays: &[Ray],
@@ -88,6 +98,27 @@ impl Memory {
         }
         incoherent.extend((rays.len() - rest.len()) as u32..rays.len() as u32);
         let waiting = (&incoherent[..], &*diverged);
+        dispatch(Waves { task, rays, waiting, answers, wave, counters });
+    }
+}
+
+/// The search for rays that do not make packets: compiled by itself, because constants of sixteen lanes
+/// in the same function would keep a processor's second unit for eight lanes from work (Intel).
+struct Waves<'a, P: Primitives, Q: Query, C> {
+    task: &'a Task<'a, P, Q>,
+    rays: &'a [Ray],
+    waiting: (&'a [u32], &'a Diverged),
+    answers: &'a mut [Q::Answer],
+    wave: &'a mut wave::Memory<RayOf<P>>,
+    counters: &'a mut C,
+}
+
+impl<P: Primitives, Q: Query, C: Counters> Kernel for Waves<'_, P, Q, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { task, rays, waiting, answers, wave, counters } = self;
         wave::search::<S, P, Q, C>(task, rays, waiting, answers, wave, counters);
     }
 }

@@ -55,6 +55,9 @@ const COUNT_SHIFT: u32 = 28;
 const BLOCK_MASK: u32 = (1 << COUNT_SHIFT) - 1;
 
 impl Child {
+    /// The first node.
+    pub(super) const ROOT: Self = Self(0);
+
     /// No child; also the bottom of a stack. [`is_leaf`](Self::is_leaf) holds for it.
     pub(super) const ABSENT: Self = Self(u32::MAX);
 

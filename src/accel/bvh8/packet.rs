@@ -108,12 +108,13 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters, const CUT: b
         let rays = (first, rays);
         return AxisAligned { task, rays, answers, stack, diverged, counters }.search();
     }
+    let of_formula = <P::Packs as Packs>::rays::<S>(&packet.origin, &packet.dir, &packet.inv_dir);
     let mut budget = CoherenceBudget::new(task.large);
     let zero = S::F16::splat(0.0);
     let mut best = Best { t: ends, u: zero, v: zero, prim: [NONE; RAYS], hit: 0 };
     let tree = task.tree;
     let Stack { entries, begins } = stack;
-    entries[0] = (Child::node(0), ALL);
+    entries[0] = (Child::ROOT, ALL);
     begins[0] = [f32::NEG_INFINITY; RAYS];
     let mut top = 1;
     let mut end = S::F8::splat(best.t.largest());
@@ -141,7 +142,8 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters, const CUT: b
             if C::COUNTS {
                 counters.primitives(child.count() * active.count_ones());
             }
-            test_leaf::<S, P, Q>(task, &packet, rays, child.block(), active, end, &mut best);
+            let of_rays = (rays, &packet, &of_formula);
+            test_leaf::<S, P, Q>(task, of_rays, child, active, end, &mut best);
             if any && best.hit == ALL {
                 break;
             }
@@ -206,14 +208,13 @@ impl Stack {
 #[inline(always)]
 fn test_leaf<S: Simd, P: Primitives, Q: Query>(
     task: &Task<'_, P, Q>,
-    packet: &Packet<S>,
-    rays: &[Ray; RAYS],
-    block: usize,
+    (rays, packet, of_formula): (&[Ray; RAYS], &Packet<S>, &<P::Packs as Packs>::Rays<S>),
+    leaf: Child,
     active: u32,
     end: S::F8,
     best: &mut Best<S::F16>,
 ) {
-    let packs = task.packs;
+    let (packs, block) = (task.packs, leaf.block());
     let boxes = Boxes::new::<S>(packs.boxes::<S>(block));
     let [x, y, z] = packet.near_rows();
     let (near, far) = packet.hull.interval(
@@ -222,20 +223,25 @@ fn test_leaf<S: Simd, P: Primitives, Q: Query>(
         end,
     );
     let mut active = active;
-    for lane in ones(near.le(far).bits()) {
-        let hits = packs.test_lane::<S>(block, lane, packet.origin, packet.dir);
+    let filled = u32::MAX >> (32 - leaf.count());
+    for lane in ones(near.le(far).bits() & filled) {
+        let mut hits = packs.test_lane::<S>(block, lane, of_formula);
         let inside = hits.inside.bits() & active;
         if inside == 0 {
             continue;
+        }
+        for ray in ones(hits.flat() & active) {
+            hits.replace(ray, packs.flat_hit(block, lane, &rays[ray % RAYS]));
         }
         let t = hits.t / hits.scale;
         let mut found = within(t, [packet.t_min, best.t]).bits() & inside;
         if found == 0 {
             continue;
         }
-        found &= packet.accepts(&boxes, lane, t);
+        let (t, counts) = packet.placed(&boxes, lane, t, best.t);
+        found &= counts;
         if Q::FILTERS {
-            found = filtered::<S, P, Q>(task, rays, (block, lane), &hits, found);
+            found = filtered::<S, P, Q>(task, rays, (block, lane), t, &hits, found);
         }
         if const { matches!(Q::SEARCH, Search::First) } {
             best.hit |= found;
@@ -268,11 +274,12 @@ fn filtered<S: Simd, P: Primitives, Q: Query>(
     task: &Task<'_, P, Q>,
     rays: &[Ray; RAYS],
     (block, lane): (usize, usize),
+    t: S::F16,
     hits: &PackHits<S::F16>,
     mut found: u32,
 ) -> u32 {
     let as_best = Best::<S::F16> {
-        t: hits.t / hits.scale,
+        t,
         u: hits.u / hits.scale,
         v: hits.v / hits.scale,
         prim: [task.packs.id(block, lane); RAYS],

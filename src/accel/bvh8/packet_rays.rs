@@ -4,8 +4,8 @@
 //! below and above, because each of its operations is monotone.
 
 use crate::accel::PACK;
-use crate::math::slab::{crossing, cut_to_finite};
-use crate::math::{Lanes, Lanes3, Mask as _, Padding, Ray, within};
+use crate::math::slab::{crossing, cut_to_finite, not_before};
+use crate::math::{Lanes, Lanes3, Mask as _, Padding, Ray};
 use crate::simd::{Row, Simd};
 
 use super::node::{FAR, Node, near_planes};
@@ -189,9 +189,16 @@ impl<S: Simd> Packet<S> {
         crossing(S::F16::splat(plane), origin[axis], self.inv_dir[axis])
     }
 
-    /// Which rays' `t` lies in the interval of a primitive's own box: `BoxRay::accepts`.
+    /// Where hits that the formula puts at `t` count, and which do before `end`, by a primitive's own box:
+    /// [`BoxRay::begin`](crate::math::BoxRay::begin).
     #[inline(always)]
-    pub(super) fn accepts(&self, boxes: &Boxes, lane: usize, t: S::F16) -> u32 {
+    pub(super) fn placed(
+        &self,
+        boxes: &Boxes,
+        lane: usize,
+        t: S::F16,
+        end: S::F16,
+    ) -> (S::F16, u32) {
         let [x, y, z] = self.near_rows();
         let (near, far) = (&self.near, &self.far);
         let begin = self
@@ -202,7 +209,8 @@ impl<S: Simd> Packet<S> {
             .product(boxes.plane(x ^ 1, lane), far, 0)
             .min(self.product(boxes.plane(y ^ 1, lane), far, 1))
             .min(self.product(boxes.plane(z ^ 1, lane), far, 2));
-        within(t, [begin, leave]).bits()
+        let counts = begin.le(leave) & begin.le(end) & self.t_min.le(leave);
+        (not_before(t, begin), counts.bits())
     }
 }
 

@@ -8,7 +8,8 @@
 
 use crate::accel::{PACK, PackHits, Packs, Primitives, Query, Search, search_one};
 use crate::counters::Counters;
-use crate::math::{BoxRay, Hit, Lanes as _, Mask as _, NONE, Padding, Ray, within};
+use crate::math::slab::not_before;
+use crate::math::{BoxRay, Hit, Lanes as _, Mask as _, NONE, Padding, Ray, ones, within};
 use crate::simd::{Row, Simd, splat3};
 
 use super::HEIGHT;
@@ -24,9 +25,9 @@ const RAYS: usize = 32;
 /// slots do not lie at a multiple of the distance that a cache's sets repeat in.
 const ROOM: usize = HEIGHT + PACK + 8;
 
-/// The memory of a wave.
-pub(super) struct Memory {
-    slots: [Slot; RAYS],
+/// The memory of a wave; `R` is a ray as the primitives' formula takes it.
+pub(super) struct Memory<R> {
+    slots: [Slot<R>; RAYS],
     candidates: [Candidates; RAYS],
 }
 
@@ -34,7 +35,7 @@ pub(super) struct Memory {
 /// reads in the next.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
-struct Slot {
+struct Slot<R> {
     inv_dir: [f32; 3],
     t_min: f32,
     near: [f32; 3],
@@ -46,10 +47,9 @@ struct Slot {
     near_planes: [u32; 3],
     order_shift: u32,
 
-    origin: [f32; 3],
     /// What it visits next.
     at: Child,
-    dir: [f32; 3],
+    formula: R,
     /// The best hit.
     prim: u32,
     u: f32,
@@ -106,9 +106,9 @@ impl List {
     }
 }
 
-impl Default for Memory {
+impl<R: Copy + Default> Default for Memory<R> {
     fn default() -> Self {
-        Self { slots: [Slot::VACANT; RAYS], candidates: [Candidates::NONE; RAYS] }
+        Self { slots: [Slot::vacant(); RAYS], candidates: [Candidates::NONE; RAYS] }
     }
 }
 
@@ -143,51 +143,59 @@ impl Candidates {
         }
     }
 
-    /// Whether a candidate counts: its own box accepts it, and the query does.
+    /// Takes those out that do not count by their own boxes, and puts the others where they count.
     #[inline(always)]
-    fn counts<P: Primitives, Q: Query>(
+    fn place<S: Simd, R>(&mut self, slot: &Slot<R>, packs: &impl Packs) {
+        let (begin, leave) = slot.box_ray.intervals(packs.boxes::<S>(self.block as usize));
+        let (t_min, end) = (S::F8::splat(slot.t_min), S::F8::splat(slot.end));
+        self.lanes &= (begin.le(leave) & begin.le(end) & t_min.le(leave)).bits();
+        not_before(S::F8::load(&self.t), begin).store(&mut self.t);
+    }
+
+    /// Whether the query accepts a candidate.
+    #[inline(always)]
+    fn is_accepted<P: Primitives, Q: Query>(
         &self,
         lane: usize,
-        slot: &Slot,
+        ray: u32,
         task: &Task<'_, P, Q>,
         rays: &[Ray],
     ) -> bool {
-        let bounds = task.packs.bounds(self.block as usize, lane);
-        slot.box_ray.accepts(&bounds, self.t[lane])
-            && (!Q::FILTERS || {
-                let hit = self.hit(lane, task.packs);
-                task.query.accepts(&rays[slot.ray as usize], &hit)
-            })
+        !Q::FILTERS || task.query.accepts(&rays[ray as usize], &self.hit(lane, task.packs))
     }
 }
 
-impl Slot {
-    const VACANT: Self = Self {
-        inv_dir: [0.0; 3],
-        t_min: 0.0,
-        near: [0.0; 3],
-        end: 0.0,
-        far: [0.0; 3],
-        height: 0,
-        near_planes: [0; 3],
-        order_shift: 0,
-        origin: [0.0; 3],
-        at: Child::ABSENT,
-        dir: [0.0; 3],
-        prim: NONE,
-        u: 0.0,
-        v: 0.0,
-        ray: 0,
-        box_ray: BoxRay {
-            inv_dir: glam::Vec3A::ZERO,
-            origin_plus: glam::Vec3A::ZERO,
-            origin_minus: glam::Vec3A::ZERO,
-            pad: 0.0,
-        },
-        entries: [Child::ABSENT.0; ROOM],
-        distances: [f32::NEG_INFINITY; ROOM],
-    };
+impl<R: Copy + Default> Slot<R> {
+    fn vacant() -> Self {
+        Self {
+            inv_dir: [0.0; 3],
+            t_min: 0.0,
+            near: [0.0; 3],
+            end: 0.0,
+            far: [0.0; 3],
+            height: 0,
+            near_planes: [0; 3],
+            order_shift: 0,
+            at: Child::ABSENT,
+            formula: R::default(),
+            prim: NONE,
+            u: 0.0,
+            v: 0.0,
+            ray: 0,
+            box_ray: BoxRay {
+                inv_dir: glam::Vec3A::ZERO,
+                origin_plus: glam::Vec3A::ZERO,
+                origin_minus: glam::Vec3A::ZERO,
+                pad: 0.0,
+            },
+            entries: [Child::ABSENT.0; ROOM],
+            distances: [f32::NEG_INFINITY; ROOM],
+        }
+    }
 }
+
+/// A ray as the formula of primitives takes it.
+pub(super) type RayOf<P> = <<P as Primitives>::Packs as Packs>::Ray;
 
 /// Answers those of the rays whose places in the slice are in `which`, and those that diverged.
 #[inline(always)]
@@ -196,7 +204,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
     rays: &[Ray],
     (which, diverged): (&[u32], &Diverged),
     answers: &mut [Q::Answer],
-    memory: &mut Memory,
+    memory: &mut Memory<RayOf<P>>,
     counters: &mut C,
 ) {
     let any = const { matches!(Q::SEARCH, Search::First) };
@@ -267,8 +275,10 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
             if C::COUNTS {
                 counters.primitives(slot.at.count());
             }
-            let origin = splat3::<S::F8>(slot.origin);
-            let hits = packs.test_pack::<S>(block, origin, splat3::<S::F8>(slot.dir));
+            let mut hits = packs.test_pack::<S>(block, &slot.formula);
+            for lane in ones(hits.flat()) {
+                hits.replace(lane, packs.flat_hit(block, lane, &rays[slot.ray as usize]));
+            }
             let t = hits.t / hits.scale;
             let in_reach = within(t, [S::F8::splat(slot.t_min), S::F8::splat(slot.end)]);
             let lanes = (hits.inside & in_reach).bits();
@@ -281,7 +291,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
                     if Q::FILTERS {
                         candidates[0].set_coordinates::<S>(&hits);
                     }
-                    if any_accepted(slot, task, rays, &candidates[0]) {
+                    if any_accepted::<S, P, Q>(slot, task, rays, &mut candidates[0]) {
                         slot.prim = 0;
                         slot.height = 1;
                     }
@@ -302,8 +312,8 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
         for place in 0..improved.length {
             let id = improved.slot(place);
             let slot = &mut slots[usize::from(id) % RAYS];
-            if improve::<S, P, Q>(slot, task, rays, &candidates[place % RAYS]) {
-                drop_behind::<S>(slot);
+            if improve::<S, P, Q>(slot, task, rays, &mut candidates[place % RAYS]) {
+                drop_behind::<S, _>(slot);
             }
             pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
         }
@@ -320,7 +330,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
     }
 }
 
-impl Slot {
+impl<R> Slot<R> {
     fn hit(&self) -> Hit {
         if self.prim == NONE {
             return Hit::MISS;
@@ -345,16 +355,16 @@ impl Waiting<'_> {
     fn take<S: Simd, P: Primitives, Q: Query, C: Counters>(
         &mut self,
         task: &Task<'_, P, Q>,
-        slot: &mut Slot,
+        slot: &mut Slot<RayOf<P>>,
         counters: &mut C,
         answers: &mut [Q::Answer],
     ) -> bool {
         for &index in self.fresh.by_ref() {
             let ray = &self.rays[index as usize];
-            if slot.load::<S>(index, ray, task.padding)
+            if slot.load::<S, P::Packs>(index, ray, task.padding)
                 || take_cut::<S, P, Q, C>(task, slot, (index, ray), counters, answers)
             {
-                slot.entries[1] = Child::node(0).0;
+                slot.entries[1] = Child::ROOT.0;
                 slot.height = 2;
                 return true;
             }
@@ -363,8 +373,8 @@ impl Waiting<'_> {
             return false;
         };
         let (index, whole) = (ray.ray, &self.rays[ray.ray as usize]);
-        let taken = slot.load::<S>(index, whole, task.padding)
-            || slot.load_cut::<S>(index, whole, task.padding);
+        let taken = slot.load::<S, P::Packs>(index, whole, task.padding)
+            || slot.load_cut::<S, P::Packs>(index, whole, task.padding);
         debug_assert!(taken, "a packet has taken the ray by the same terms");
         slot.go_on(ray, self.diverged.entries(ray));
         true
@@ -377,44 +387,54 @@ impl Waiting<'_> {
 #[inline(never)]
 fn take_cut<S: Simd, P: Primitives, Q: Query, C: Counters>(
     task: &Task<'_, P, Q>,
-    slot: &mut Slot,
+    slot: &mut Slot<RayOf<P>>,
     (index, ray): (u32, &Ray),
     counters: &mut C,
     answers: &mut [Q::Answer],
 ) -> bool {
-    let taken = slot.load_cut::<S>(index, ray, task.padding);
+    let taken = slot.load_cut::<S, P::Packs>(index, ray, task.padding);
     if !taken {
         answers[index as usize] = search_one(task.tree, task.query, task.primitives, ray, counters);
     }
     taken
 }
 
-impl Slot {
+impl<R> Slot<R> {
     /// Takes a usual ray that has not begun. Returns false if it hardly moves along an axis.
     #[inline(always)]
-    fn load<S: Simd>(&mut self, index: u32, ray: &Ray, padding: Padding) -> bool {
+    fn load<S: Simd, K: Packs<Ray = R>>(
+        &mut self,
+        index: u32,
+        ray: &Ray,
+        padding: Padding,
+    ) -> bool {
         let box_ray = BoxRay::new(ray, padding);
         let Some(slab) = SlabRay::new::<S>(ray, &box_ray, padding) else {
             return false;
         };
-        self.fill(index, ray, box_ray, slab);
+        self.fill::<K>(index, ray, box_ray, slab);
         true
     }
 
     /// Takes a ray that hardly moves along an axis. Returns false if the slab test cannot take it.
     #[cold]
     #[inline(never)]
-    fn load_cut<S: Simd>(&mut self, index: u32, ray: &Ray, padding: Padding) -> bool {
+    fn load_cut<S: Simd, K: Packs<Ray = R>>(
+        &mut self,
+        index: u32,
+        ray: &Ray,
+        padding: Padding,
+    ) -> bool {
         let box_ray = BoxRay::new(ray, padding);
         let slab = SlabRay::cut::<S>(ray, &box_ray, padding);
         if let Some(slab) = slab {
-            self.fill(index, ray, box_ray, slab);
+            self.fill::<K>(index, ray, box_ray, slab);
         }
         slab.is_some()
     }
 
     #[inline(always)]
-    fn fill(&mut self, index: u32, ray: &Ray, box_ray: BoxRay, slab: SlabRay) {
+    fn fill<K: Packs<Ray = R>>(&mut self, index: u32, ray: &Ray, box_ray: BoxRay, slab: SlabRay) {
         // Field by field: a whole slot would be put together elsewhere and copied.
         self.inv_dir = slab.inv_dir.to_array();
         self.t_min = ray.t_min;
@@ -423,8 +443,7 @@ impl Slot {
         self.far = slab.far.to_array();
         self.near_planes = near_planes(slab.octant);
         self.order_shift = order_shift(slab.octant);
-        self.origin = ray.origin.to_array();
-        self.dir = ray.dir.to_array();
+        self.formula = K::ray(ray, &box_ray.inv_dir.to_array());
         self.prim = NONE;
         self.u = 0.0;
         self.v = 0.0;
@@ -448,7 +467,14 @@ impl Slot {
 /// Appends a ray to the list where the top of its stack belongs, and takes that from the stack;
 /// leaves the stack and the lists as they are if the ray is not `free` to go.
 #[inline(always)]
-fn pop(slot: &mut Slot, id: u8, free: bool, nodes: &mut List, leaves: &mut List, done: &mut List) {
+fn pop<R>(
+    slot: &mut Slot<R>,
+    id: u8,
+    free: bool,
+    nodes: &mut List,
+    leaves: &mut List,
+    done: &mut List,
+) {
     let next = Child(slot.entries[(slot.height - 1) as usize % HEIGHT]);
     slot.height -= u32::from(free);
     slot.at = next;
@@ -460,30 +486,32 @@ fn pop(slot: &mut Slot, id: u8, free: bool, nodes: &mut List, leaves: &mut List,
 
 /// Whether any candidate counts.
 #[inline(always)]
-fn any_accepted<P: Primitives, Q: Query>(
-    slot: &Slot,
+fn any_accepted<S: Simd, P: Primitives, Q: Query>(
+    slot: &Slot<RayOf<P>>,
     task: &Task<'_, P, Q>,
     rays: &[Ray],
-    offered: &Candidates,
+    offered: &mut Candidates,
 ) -> bool {
-    (0..PACK).any(|lane| offered.lanes >> lane & 1 != 0 && offered.counts(lane, slot, task, rays))
+    offered.place::<S, _>(slot, task.packs);
+    ones(offered.lanes).any(|lane| offered.is_accepted(lane % PACK, slot.ray, task, rays))
 }
 
 /// Replaces a ray's best hit by the first candidate that counts, if that comes before. Returns
 /// whether there is one.
 #[inline(always)]
 fn improve<S: Simd, P: Primitives, Q: Query>(
-    slot: &mut Slot,
+    slot: &mut Slot<RayOf<P>>,
     task: &Task<'_, P, Q>,
     rays: &[Ray],
-    offered: &Candidates,
+    offered: &mut Candidates,
 ) -> bool {
+    offered.place::<S, _>(slot, task.packs);
     let t = S::F8::load(&offered.t);
     let mut lanes = offered.lanes;
     while lanes != 0 {
         // Ids ascend within a pack: the first of equal lanes is the one that counts.
         let lane = t.first_smallest(lanes) % PACK;
-        if offered.counts(lane, slot, task, rays) {
+        if offered.is_accepted(lane, slot.ray, task, rays) {
             let Hit { t, prim, u, v, .. } = offered.hit(lane, task.packs);
             let better = (t < slot.end) | (prim < slot.prim);
             slot.end = if better { t } else { slot.end };
@@ -499,7 +527,7 @@ fn improve<S: Simd, P: Primitives, Q: Query>(
 
 /// Takes from a ray's stack what begins behind the end of the search.
 #[inline(always)]
-fn drop_behind<S: Simd>(slot: &mut Slot) {
+fn drop_behind<S: Simd, R>(slot: &mut Slot<R>) {
     let (end, height) = (S::F8::splat(slot.end), slot.height as usize);
     let (mut kept, mut base) = (0, 0);
     while base < height {

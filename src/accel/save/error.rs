@@ -16,7 +16,7 @@ pub enum LoadError {
     #[error("this is not a saved structure")]
     NotSaved,
     /// They are of another version of the format.
-    #[error("a saved structure has version {version} of the format, and only 1 can be read")]
+    #[error("a saved structure has version {version} of the format, and only 2 can be read")]
     Version {
         /// Which.
         version: u32,

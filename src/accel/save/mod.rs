@@ -22,7 +22,7 @@ pub use error::LoadError;
 const MAGIC: [u8; 8] = *b"\x89srt\r\n\x1a\n";
 
 /// The version of all that is saved. Others are not read.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// The slots of primitives over which a structure is loaded.
 #[derive(Clone, Copy, Debug)]

@@ -1,4 +1,4 @@
-//! Triangles in bytes: each by its corner and edges, as they are stored.
+//! Triangles in bytes: each by its corners.
 
 use std::io;
 
@@ -24,8 +24,7 @@ impl PortablePrimitives for TriangleSet {
     fn write(&self, slots: &[u32], out: &mut Encoder<'_>) -> io::Result<()> {
         out.vec3(self.mean_vertex.into())?;
         for &slot in slots {
-            let Triangle { v0, e1, e2 } = self.slot(slot).0;
-            [v0, e1, e2].into_iter().try_for_each(|v| out.vec3(v))?;
+            self.slot(slot).0.corners.into_iter().try_for_each(|corner| out.vec3(corner))?;
         }
         Ok(())
     }
@@ -36,7 +35,7 @@ impl PortablePrimitives for TriangleSet {
             return Err(LoadError::invalid("the mean of the vertices is not finite"));
         }
         let triangles = input.list(count, |input| {
-            let triangle = Triangle { v0: input.vec3()?, e1: input.vec3()?, e2: input.vec3()? };
+            let triangle = Triangle::new([input.vec3()?, input.vec3()?, input.vec3()?]);
             match triangle.is_finite() {
                 true => Ok(triangle),
                 false => Err(LoadError::invalid("a triangle is not finite")),

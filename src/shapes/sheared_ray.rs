@@ -1,0 +1,303 @@
+//! Rays as the formula of triangles sees them: space is sheared so that they run along one axis.
+
+use crate::math::{Lanes, Lanes3, Mask as _, Ray, sub};
+
+/// A factor that makes a reciprocal of every number but zero finite.
+const LARGE: f32 = (1u64 << 40) as f32;
+
+/// An axis of space: its place among three.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(super) enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+/// The order in which the formula takes the axes of a ray: the last is the one along which it moves
+/// most, its *dominant* axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Axes([Axis; 3]);
+
+/// A place for each dominant axis.
+const DOMINANT: [Axes; 3] = [
+    Axes([Axis::Y, Axis::Z, Axis::X]),
+    Axes([Axis::Z, Axis::X, Axis::Y]),
+    Axes([Axis::X, Axis::Y, Axis::Z]),
+];
+
+impl Axes {
+    /// The order of the axes of space.
+    const OF_SPACE: Self = DOMINANT[2];
+
+    /// The order for a ray in this direction.
+    #[inline(always)]
+    fn of(dir: &[f32; 3]) -> Self {
+        // Bits of absolute values are in their order. By arithmetic: which axis it is cannot be foreseen.
+        let (x, y, z) = (size_bits(dir[0]), size_bits(dir[1]), size_bits(dir[2]));
+        let not_x = u32::from(x < y) | u32::from(x < z);
+        let is_z = not_x & u32::from(y < z);
+        DOMINANT[(not_x + is_z) as usize % 3]
+    }
+
+    /// Three values, one an axis of space, in this order.
+    #[inline(always)]
+    pub(super) fn arrange<T: Copy>(self, of_axes: &[T; 3]) -> [T; 3] {
+        let [x, y, z] = self.0;
+        [of_axes[x as usize], of_axes[y as usize], of_axes[z as usize]]
+    }
+
+    /// A point, by its coordinates, in this order and in every lane.
+    #[inline(always)]
+    fn splat<L: Lanes>(self, coordinate: impl Fn(Axis) -> f32) -> Lanes3<L> {
+        let [x, y, z] = self.0;
+        [L::splat(coordinate(x)), L::splat(coordinate(y)), L::splat(coordinate(z))]
+    }
+
+    /// [`arrange`](Self::arrange) without a copy.
+    #[inline(always)]
+    pub(super) fn arrange_refs<T>(self, of_axes: &[T; 3]) -> [&T; 3] {
+        let [x, y, z] = self.0;
+        [&of_axes[x as usize], &of_axes[y as usize], &of_axes[z as usize]]
+    }
+}
+
+#[inline(always)]
+fn size_bits(x: f32) -> u32 {
+    x.abs().to_bits()
+}
+
+/// For each axis the lanes whose direction is dominated by it, as bits; those above the last lane are
+/// of no meaning.
+#[inline(always)]
+fn lanes_by_dominant_axis<L: Lanes>(dir: Lanes3<L>) -> [u32; 3] {
+    let (x, y, z) = (dir[0].abs(), dir[1].abs(), dir[2].abs());
+    let of_x = (y.le(x) & z.le(x)).bits();
+    let of_y = !of_x & z.le(y).bits();
+    [of_x, of_y, !(of_x | of_y)]
+}
+
+/// A ray, or one in each lane, its axes in the order of [`Axes`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ShearedRay<L> {
+    origin: Lanes3<L>,
+    /// How far it moves along the first two axes for a unit of the last.
+    slopes: [L; 2],
+    /// Two factors of 1/direction along the last axis.
+    along: [L; 2],
+}
+
+impl<L: Lanes> ShearedRay<L> {
+    /// The ray from an origin in a direction, both in the order of their axes. `inv_dir` is 1/direction
+    /// along the last axis, and of no meaning where that is too small to have a finite one.
+    #[inline(always)]
+    fn new(origin: Lanes3<L>, dir: Lanes3<L>, inv_dir: L) -> Self {
+        let one = L::splat(1.0);
+        let mut along = [inv_dir, one];
+        let tiny = dir[2].abs().lt(L::splat(f32::MIN_POSITIVE)).bits();
+        if tiny != 0 {
+            // A power of two changes nothing but the range.
+            let factor = L::splat(LARGE);
+            along =
+                [(one / (dir[2] * factor)).select(tiny, along[0]), factor.select(tiny, along[1])];
+        }
+        let slopes = [dir[0] * along[0] * along[1], dir[1] * along[0] * along[1]];
+        Self { origin, slopes, along }
+    }
+
+    /// Where a corner of a triangle, in the order of the axes, lies as seen from the ray's origin when
+    /// space is sheared so that the ray runs along the last axis. It depends on the corner and the ray
+    /// alone: triangles that share a corner see it in the same place, to the bit.
+    #[inline(always)]
+    pub(super) fn see(&self, corner: Lanes3<L>) -> Lanes3<L> {
+        let [x, y, z] = sub(corner, self.origin);
+        [x - self.slopes[0] * z, y - self.slopes[1] * z, z]
+    }
+
+    /// The parameter at which the ray is at a distance along the last axis.
+    #[inline(always)]
+    pub(super) fn parameter(&self, distance: L) -> L {
+        distance * self.along[0] * self.along[1]
+    }
+}
+
+/// A ray that meets triangles: sheared, with its axes.
+#[derive(Clone, Copy, Debug)]
+pub struct TriangleRay {
+    pub(super) axes: Axes,
+    sheared: ShearedRay<f32>,
+}
+
+impl TriangleRay {
+    /// As a ray in each lane of a vector.
+    #[inline(always)]
+    pub(super) fn splat<L: Lanes>(&self) -> ShearedRay<L> {
+        let ShearedRay { origin: [x, y, z], slopes: [p, q], along: [a, b] } = self.sheared;
+        ShearedRay {
+            origin: [L::splat(x), L::splat(y), L::splat(z)],
+            slopes: [L::splat(p), L::splat(q)],
+            along: [L::splat(a), L::splat(b)],
+        }
+    }
+}
+
+impl TriangleRay {
+    /// A ray; `inv_dir` is 1/direction, along each axis.
+    #[inline(always)]
+    pub(super) fn new(ray: &Ray, inv_dir: &[f32; 3]) -> Self {
+        let (origin, dir): (&[f32; 3], &[f32; 3]) = (ray.origin.as_ref(), ray.dir.as_ref());
+        let axes = Axes::of(dir);
+        let [.., along] = axes.arrange(inv_dir);
+        Self { axes, sheared: ShearedRay::new(axes.arrange(origin), axes.arrange(dir), along) }
+    }
+}
+
+impl From<&Ray> for TriangleRay {
+    fn from(ray: &Ray) -> Self {
+        Self::new(ray, &ray.dir.to_array().map(|dir| 1.0 / dir))
+    }
+}
+
+impl Default for TriangleRay {
+    /// A place without a ray.
+    fn default() -> Self {
+        let sheared = ShearedRay { origin: [0.0; 3], slopes: [0.0; 2], along: [0.0; 2] };
+        Self { axes: Axes::OF_SPACE, sheared }
+    }
+}
+
+/// A ray in each lane, each with its own dominant axis.
+#[derive(Clone, Copy, Debug)]
+pub struct TriangleRays<L> {
+    axes: MixedAxes,
+    pub(super) sheared: ShearedRay<L>,
+}
+
+/// The axes of several rays: those of one of them, and of the others the lanes in which theirs differ.
+/// Coherent rays mostly have the same.
+#[derive(Clone, Copy, Debug)]
+struct MixedAxes {
+    usual: Axes,
+    others: [(Axes, u32); 2],
+    differ: bool,
+}
+
+impl MixedAxes {
+    #[inline(always)]
+    fn of<L: Lanes>(dir: &Lanes3<L>) -> Self {
+        let all = u32::MAX >> (32 - L::Mask::LANES);
+        let of_axes = lanes_by_dominant_axis(*dir);
+        let lanes = [of_axes[0] & all, of_axes[1] & all, of_axes[2] & all];
+        let usual = if lanes[0] & 1 != 0 { 0 } else { 1 + usize::from(lanes[1] & 1 == 0) };
+        let other = |by: usize| (DOMINANT[(usual + by) % 3], lanes[(usual + by) % 3]);
+        let differ = lanes[usual % 3] != all;
+        Self { usual: DOMINANT[usual % 3], others: [other(1), other(2)], differ }
+    }
+
+    /// Three rows, one an axis of space, in the order of each lane.
+    #[inline(always)]
+    fn arrange<L: Lanes>(&self, rows: &Lanes3<L>) -> Lanes3<L> {
+        let mut arranged = self.usual.arrange(rows);
+        for (axes, lanes) in self.others {
+            if lanes != 0 {
+                let [x, y, z] = axes.arrange(rows);
+                arranged = [
+                    x.select(lanes, arranged[0]),
+                    y.select(lanes, arranged[1]),
+                    z.select(lanes, arranged[2]),
+                ];
+            }
+        }
+        arranged
+    }
+
+    /// A point, by its coordinates, in the order of each lane.
+    #[inline(always)]
+    fn splat<L: Lanes>(&self, coordinate: impl Fn(Axis) -> f32) -> Lanes3<L> {
+        let mut arranged = self.usual.splat(&coordinate);
+        for (axes, lanes) in self.others {
+            let [x, y, z] = axes.splat::<L>(&coordinate);
+            arranged = [
+                x.select(lanes, arranged[0]),
+                y.select(lanes, arranged[1]),
+                z.select(lanes, arranged[2]),
+            ];
+        }
+        arranged
+    }
+}
+
+impl<L: Lanes> TriangleRays<L> {
+    /// Rays by their origins and directions; `inv_dir` is 1/direction.
+    #[inline(always)]
+    pub(super) fn new(origin: &Lanes3<L>, dir: &Lanes3<L>, inv_dir: &Lanes3<L>) -> Self {
+        let axes = MixedAxes::of(dir);
+        let along = axes.arrange(inv_dir)[2];
+        let sheared = ShearedRay::new(axes.arrange(origin), axes.arrange(dir), along);
+        Self { axes, sheared }
+    }
+
+    /// The corners of a triangle, by their numbers and coordinates, in the order of each ray's axes.
+    #[inline(always)]
+    pub(super) fn arrange(&self, coordinate: impl Fn(usize, Axis) -> f32) -> [Lanes3<L>; 3] {
+        if self.axes.differ {
+            let axes = &self.axes;
+            [
+                axes.splat(|axis| coordinate(0, axis)),
+                axes.splat(|axis| coordinate(1, axis)),
+                axes.splat(|axis| coordinate(2, axis)),
+            ]
+        } else {
+            let axes = self.axes.usual;
+            [
+                axes.splat(|axis| coordinate(0, axis)),
+                axes.splat(|axis| coordinate(1, axis)),
+                axes.splat(|axis| coordinate(2, axis)),
+            ]
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec4;
+
+    use super::*;
+
+    #[test]
+    fn the_dominant_axis_comes_last_and_equal_ones_have_an_order() {
+        let last = |dir: [f32; 3]| Axes::of(&dir).0[2] as usize;
+        assert_eq!(last([-3.0, 2.0, 1.0]), 0);
+        assert_eq!(last([0.0, 2.0, -1.0]), 1);
+        assert_eq!(last([0.0, 2.0, -2.5]), 2);
+        assert_eq!(last([1.0, -1.0, 1.0]), 0);
+        assert_eq!(last([0.0, -1.0, 1.0]), 1);
+    }
+
+    #[test]
+    fn lanes_have_the_axis_of_each_of_them() {
+        let dirs = [[1.0, 1.0, -1.0], [0.5, -1.0, 1.0], [0.0, 0.0, 1e-30], [2.0, -3.0, 1.0f32]];
+        let rows = [0, 1, 2].map(|axis| Vec4::from_array(dirs.map(|dir| dir[axis])));
+        let of_axes = lanes_by_dominant_axis(rows);
+        for (lane, dir) in dirs.into_iter().enumerate() {
+            let axis = Axes::of(&dir).0[2] as usize;
+            for (other, lanes) in of_axes.into_iter().enumerate() {
+                assert_eq!(lanes >> lane & 1 != 0, other == axis, "{dir:?} {other}");
+            }
+        }
+        let inv_dir = rows.map(|row| Vec4::ONE / row);
+        let rays = TriangleRays::new(&rows, &rows, &inv_dir);
+        let corners = rays.arrange(|corner, axis| [1.0, 2.0, 3.0][axis as usize] + corner as f32);
+        for (lane, dir) in dirs.into_iter().enumerate() {
+            for (number, corner) in corners.iter().enumerate() {
+                let point = [1.0, 2.0, 3.0].map(|coordinate| coordinate + number as f32);
+                assert_eq!(corner.map(|row| row[lane]), Axes::of(&dir).arrange(&point));
+            }
+            let ShearedRay { origin, slopes, along } = &rays.sheared;
+            let alone = TriangleRay::from(&Ray::new(dir.into(), dir.into())).sheared;
+            assert_eq!(origin.map(|row| row[lane]), alone.origin);
+            assert_eq!(slopes.map(|row| row[lane]), alone.slopes);
+            assert_eq!(along.map(|row| row[lane]), alone.along);
+        }
+    }
+}
