@@ -188,7 +188,7 @@ fn binary_tree(boxes: &[obvhs::aabb::Aabb], build: &mut Build<'_>) -> Bvh2 {
     let usual_leaf = parameters.max_prims_per_leaf.min(config.max_leaf);
     let most = config.options.number(&LEAF).unwrap_or(usual_leaf).max(1);
     let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Ploc);
-    let mut tree = builder.tree(boxes, *grain, config.quality, stages);
+    let mut tree = builder.tree(boxes, *grain, 1, config.quality, stages);
     let cost = parameters.collapse_traversal_cost;
     stages.time("collapse", || collapse(&mut tree, most, cost));
     let again = parameters.post_collapse_reinsertion_batch_ratio_multiplier;

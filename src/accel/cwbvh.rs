@@ -58,7 +58,7 @@ impl Accel for CompressedWideBvh {
         let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Ploc);
         let boxes = stages.time("boxes", || obvhs_boxes(primitives));
         // Leaves begin anywhere, so that packs make none of them cheaper.
-        let binary = builder.tree(&boxes, 1, config.quality, stages);
+        let binary = builder.tree(&boxes, 1, 1, config.quality, stages);
         let tree = stages.time("collapse", || bvh2_to_cwbvh(&binary, most, true, false));
         let mut nodes = tree.nodes;
         nodes.shrink_to_fit();

@@ -1,4 +1,5 @@
-//! Binary trees with a primitive in each leaf: what the layouts of structures are made from.
+//! Binary trees with one or a few primitives in each leaf: what the layouts of structures are made
+//! from.
 //!
 //! A builder knows boxes and no layout, and a layout takes the tree of any builder. Clustering goes
 //! from the bottom up: PLOC (Meister, Bittner: *Parallel Locally-Ordered Clustering for Bounding
@@ -7,12 +8,19 @@
 //! Reinsertion for Bounding Volume Hierarchy Optimization*, 2018), as the quality says.
 
 mod binned;
+mod bins;
+mod branch;
+mod reference;
+mod sorted;
+mod split;
+mod sweep;
 
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
 
+use self::binned::Packing;
 use super::{Allowed, BuildOptions, BuildStages, OptionInfo, Quality};
 
 /// How a tree is built.
@@ -43,17 +51,24 @@ impl Builder {
     }
 
     /// Builds a tree over at least one box, for leaves in which `pack` primitives, a power of two,
-    /// cost as much as one.
+    /// cost as much as one. Its leaves hold up to `most` primitives where parting them would not pay.
     pub(super) fn tree(
         self,
         boxes: &[Aabb],
         pack: u32,
+        most: u32,
         quality: Quality,
         stages: &mut BuildStages,
     ) -> Bvh2 {
         let parameters = quality.parameters();
         let mut tree = stages.time("tree", || match self {
-            Self::Sah => binned::build(boxes, pack),
+            Self::Sah => {
+                // Primitives are reinserted one by one.
+                let whole = pack > 1 && self.reinserted(quality) == 0.0;
+                let most = if whole { most as usize } else { 1 };
+                let packing = Packing { pack_bits: pack.ilog2(), most };
+                binned::build(boxes, packing)
+            }
             Self::Ploc => PlocBuilder::with_capacity(boxes.len()).build(
                 parameters.ploc_search_distance,
                 boxes,

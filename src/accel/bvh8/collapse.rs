@@ -12,8 +12,8 @@ use rayon::prelude::*;
 use crate::math::{Aabb, NONE};
 use crate::simd::ask_for_huge_pages;
 
-use super::node::{Child, Node, WIDTH};
-use super::plan::{Leaves, Plan, pair};
+use super::node::{Child, Node};
+use super::plan::{Leaves, Plan, Roots, pair};
 
 /// Subtrees that are laid out in parallel.
 const SUBTREES: usize = 512;
@@ -29,7 +29,7 @@ pub(super) struct Wide {
 /// A binary node that becomes a wide one, and the place of that.
 type Open = (u32, usize);
 
-/// Lays out a tree whose leaves are single primitives.
+/// Lays out a tree whose leaves hold no more primitives than a leaf may.
 pub(super) fn collapse(tree: &Bvh2, plan: &Plan, leaves: Leaves) -> Wide {
     let layout = Layout { tree, plan, leaves };
     let (mut wide, open) = layout.top();
@@ -84,7 +84,7 @@ impl Layout<'_> {
     /// A wide node. Its leaves are added to `wide`, and so are places for its inner children, which
     /// join the open ones.
     fn node(&self, binary: u32, wide: &mut Wide, open: &mut Vec<Open>) -> Node {
-        let mut roots = Vec::with_capacity(WIDTH);
+        let mut roots = Roots::new();
         self.plan.children(binary, &mut roots);
         let mut node = Node::EMPTY;
         for (lane, &root) in roots.iter().enumerate() {
@@ -105,7 +105,7 @@ impl Layout<'_> {
     /// pack, the first lane is then the first primitive.
     fn leaf(&self, root: u32, wide: &mut Wide) -> Child {
         let start = wide.order.len();
-        let mut open = vec![root];
+        let mut open = Roots::from_slice(&[root]);
         while let Some(binary) = open.pop() {
             let node = &self.tree.nodes[binary as usize];
             if node.is_leaf() {

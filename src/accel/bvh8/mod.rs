@@ -84,7 +84,8 @@ impl Accel for Bvh8 {
             Quality::Fastest | Quality::Fast => Builder::Ploc,
             Quality::Medium | Quality::Slow | Quality::Slowest => Builder::Sah,
         });
-        let tree = builder.tree(&boxes, leaves.block as u32, config.quality, stages);
+        let pack = leaves.block as u32;
+        let tree = builder.tree(&boxes, pack, leaves.most, config.quality, stages);
         let plan = stages.time("plan", || Plan::new(&tree, leaves));
         let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
         let need = stack_need(&wide.nodes);
