@@ -8,16 +8,17 @@
 //! Large parts are built in parallel, each into nodes of its own, which are then put behind each
 //! other; which thread does it changes nothing.
 
-use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 use rayon::prelude::*;
 
 use crate::simd::{ask_for_huge_pages, dispatch};
 
+use super::super::{Bounded, BuildStages};
 use super::branch::Branch;
 use super::reference::{Centers, Corners, NOWHERE, Reference};
 use super::split::{Scratch, Splitting};
+use super::terms::Terms;
 
 /// From this depth on primitives are halved by number: no tree is deeper than this and 32 more.
 const USUAL_DEPTH: u32 = 96;
@@ -25,28 +26,24 @@ const USUAL_DEPTH: u32 = 96;
 /// Parts of at least so many primitives are built in parallel.
 const PARALLEL: usize = 1 << 13;
 
-/// What leaves the splits are weighed for.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Packing {
-    /// The logarithm of how many primitives are tested at once: they cost as much as one.
-    pub(super) pack_bits: u32,
-    /// Up to so many primitives stay together where parting them would not pay.
-    pub(super) most: usize,
+/// Builds a tree over at least one primitive.
+pub(super) fn build(primitives: &impl Bounded, terms: Terms, stages: &mut BuildStages) -> Bvh2 {
+    let mut references = Vec::with_capacity(primitives.count() as usize);
+    ask_for_huge_pages(references.spare_capacity_mut());
+    stages.time("boxes", || {
+        let each = (0..primitives.count()).into_par_iter();
+        each.map(|index| Reference::new(index, &primitives.bounds(index)))
+            .collect_into_vec(&mut references);
+    });
+    stages.time("tree", || tree(&mut references, terms))
 }
 
-/// Builds a tree over at least one box.
-pub(super) fn build(boxes: &[Aabb], packing: Packing) -> Bvh2 {
-    let mut references = Vec::with_capacity(boxes.len());
-    ask_for_huge_pages(references.spare_capacity_mut());
-    let numbered = boxes.par_iter().enumerate();
-    numbered
-        .map(|(index, bounds)| Reference::new(index as u32, bounds))
-        .collect_into_vec(&mut references);
+fn tree(references: &mut [Reference], terms: Terms) -> Bvh2 {
     let (bounds, centers) = references
         .par_chunks(PARALLEL)
         .map(around)
         .reduce(|| (Corners::EMPTY, NOWHERE), |a, b| (a.0.union(&b.0), both(&a.1, &b.1)));
-    let part = Part { references: &mut references, first: 0, bounds, centers, packing };
+    let part = Part { references: &mut *references, first: 0, bounds, centers, terms };
     let nodes = grow(part, 0).into_nodes();
     let primitive_indices = references.par_iter().map(Reference::index).collect();
     Bvh2 { nodes, primitive_indices, ..Bvh2::default() }
@@ -72,7 +69,7 @@ struct Part<'a> {
     bounds: Corners,
     /// Only an estimate; of few primitives it means nothing.
     centers: Centers,
-    packing: Packing,
+    terms: Terms,
 }
 
 /// Builds a node and those below it.
@@ -81,7 +78,7 @@ fn grow(mut part: Part<'_>, depth: u32) -> Branch {
     let bounds = part.bounds.aabb();
     if part.references.len() < PARALLEL {
         // Where leaves hold several primitives, they are more than half full.
-        let leaves = part.references.len().div_ceil(part.packing.most.min(2));
+        let leaves = part.references.len().div_ceil(part.terms.most.min(2));
         let mut nodes = Vec::with_capacity(2 * leaves);
         nodes.push(Bvh2Node::default());
         grow_in_sequence(part, (&mut nodes, 0), depth, scratch);
@@ -121,15 +118,14 @@ impl<'a> Part<'a> {
     /// Splits the primitives in place. Returns how many are in the first half, the boxes around both
     /// and around their centres; nothing if they are to be a leaf.
     fn split(&mut self, depth: u32, scratch: &mut Scratch) -> Option<Halves> {
-        let Self { references, centers, .. } = self;
-        let Packing { pack_bits, most } = self.packing;
+        let Self { references, centers, terms, .. } = self;
+        let (terms, most) = (*terms, terms.most);
         let count = references.len();
-        // Parting half of a leaf hardly ever pays.
-        if count <= 1.max(most / 2) {
+        if count <= terms.unparted() {
             return None;
         }
         if depth < USUAL_DEPTH {
-            let (best, centers) = dispatch(Splitting { references, centers, pack_bits, scratch });
+            let (best, centers) = dispatch(Splitting { references, centers, terms, scratch });
             if count <= most && self.bounds.half_area() <= best.cost {
                 return None;
             }
@@ -146,14 +142,14 @@ impl<'a> Part<'a> {
     }
 
     fn halves(self, (count, bounds, centers): Halves) -> [Self; 2] {
-        let Self { references, first, packing, .. } = self;
+        let Self { references, first, terms, .. } = self;
         let (front, back) = references.split_at_mut(count);
         let part = |references, first, side: usize| Part {
             references,
             first,
             bounds: bounds[side],
             centers: centers[side],
-            packing,
+            terms,
         };
         [part(front, first, 0), part(back, first + count as u32, 1)]
     }
@@ -161,12 +157,24 @@ impl<'a> Part<'a> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::Quality;
+    use super::super::terms::Effort;
+    use super::super::tests::Boxes;
     use super::*;
-    use crate::math::Random;
+    use crate::math::{Aabb, Random};
     use glam::Vec3A;
 
-    const SINGLE: Packing = Packing { pack_bits: 0, most: 1 };
-    const PACKED: Packing = Packing { pack_bits: 3, most: 8 };
+    fn terms(pack_bits: u32, most: usize, quality: Quality) -> Terms {
+        Terms { pack_bits, most, effort: Effort::of(quality) }
+    }
+
+    fn single() -> Terms {
+        terms(0, 1, Quality::Medium)
+    }
+
+    fn packed() -> Terms {
+        terms(3, 8, Quality::Medium)
+    }
 
     fn boxes(count: u32) -> Vec<Aabb> {
         let mut random = Random::new(&[7, u64::from(count)]);
@@ -177,10 +185,18 @@ mod tests {
             .collect()
     }
 
+    fn build_over(boxes: &[Aabb], terms: Terms) -> Bvh2 {
+        build(&Boxes(boxes.to_vec()), terms, &mut BuildStages::default())
+    }
+
+    fn bounds_of(node: &Bvh2Node) -> Aabb {
+        Aabb { min: node.aabb().min, max: node.aabb().max }
+    }
+
     /// Every primitive once, boxes that are the unions of those below, leaves that are not too large:
     /// depth.
-    fn check(boxes: &[Aabb], packing: Packing) -> u32 {
-        let tree = build(boxes, packing);
+    fn check(boxes: &[Aabb], terms: Terms) -> u32 {
+        let tree = build_over(boxes, terms);
         let mut seen = vec![false; boxes.len()];
         let mut deepest = 0;
         let mut open = vec![(0, 0)];
@@ -192,18 +208,19 @@ mod tests {
             let first = node.first_index as usize;
             let expected = if node.is_leaf() {
                 let count = node.prim_count as usize;
-                assert!(count <= packing.most);
-                let mut around = Aabb::INVALID;
+                assert!(count <= terms.most);
+                let mut around = Aabb::EMPTY;
                 for &primitive in &tree.primitive_indices[first..first + count] {
                     assert!(!std::mem::replace(&mut seen[primitive as usize], true));
-                    around = around.union(&boxes[primitive as usize]);
+                    around = around.union(boxes[primitive as usize]);
                 }
                 around
             } else {
                 open.extend([(node.first_index, depth + 1), (node.first_index + 1, depth + 1)]);
-                tree.nodes[first].aabb().union(tree.nodes[first + 1].aabb())
+                let [left, right] = [first, first + 1].map(|child| bounds_of(&tree.nodes[child]));
+                left.union(right)
             };
-            assert_eq!((node.aabb().min, node.aabb().max), (expected.min, expected.max));
+            assert_eq!(bounds_of(node), expected);
         }
         assert!(seen.iter().all(|&seen| seen));
         assert_eq!(nodes, tree.nodes.len());
@@ -213,22 +230,33 @@ mod tests {
     #[test]
     fn trees_hold_all_primitives_in_the_boxes_around_them() {
         for count in [1, 2, 3, 17, 1000, 70_000] {
-            for packing in [SINGLE, PACKED, Packing { pack_bits: 3, most: 1 }] {
-                check(&boxes(count), packing);
+            for quality in Quality::ALL {
+                check(&boxes(count), terms(0, 1, quality));
+                check(&boxes(count), terms(3, 1, quality));
+                check(&boxes(count), terms(3, 8, quality));
             }
         }
     }
 
     #[test]
+    fn boxes_far_from_the_origin_are_parted_as_far_as_they_differ() {
+        let far = Vec3A::splat(1e7);
+        let boxes = boxes(20_000)
+            .into_iter()
+            .map(|b| Aabb { min: far + 9.0 * b.min, max: far + 9.0 * b.max });
+        check(&boxes.collect::<Vec<_>>(), packed());
+    }
+
+    #[test]
     fn equal_centers_are_halved() {
-        assert_eq!(check(&vec![boxes(1)[0]; 1024], SINGLE), 10);
+        assert_eq!(check(&vec![boxes(1)[0]; 1024], single()), 10);
     }
 
     #[test]
     fn centers_that_shrink_towards_a_point_make_no_chain() {
         let at = |i: i32| Vec3A::splat(0.5f32.powi(i / 8));
         let boxes: Vec<_> = (0..1000).map(|i| Aabb { min: at(i), max: at(i) }).collect();
-        assert!(check(&boxes, SINGLE) < USUAL_DEPTH + 32);
+        assert!(check(&boxes, single()) < USUAL_DEPTH + 32);
     }
 
     #[test]
@@ -238,15 +266,15 @@ mod tests {
             let far = if i % 2 == 0 { f32::INFINITY } else { f32::MAX };
             *bounds = Aabb { min: Vec3A::splat(-far), max: Vec3A::splat(far) };
         }
-        check(&boxes, SINGLE);
-        check(&boxes, PACKED);
+        check(&boxes, single());
+        check(&boxes, packed());
     }
 
     #[test]
     fn one_large_box_among_small_ones_is_soon_apart() {
         let mut boxes = boxes(40_000);
         boxes.push(Aabb { min: Vec3A::splat(-9.0), max: Vec3A::splat(9.0) });
-        let tree = build(&boxes, PACKED);
+        let tree = build_over(&boxes, packed());
         let large = tree.nodes.iter().filter(|node| node.aabb().max.x == 9.0).count();
         assert!(large < 20, "{large} nodes");
     }
@@ -256,7 +284,7 @@ mod tests {
         let boxes = boxes(50_000);
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-            pool.expect("a pool").install(|| build(&boxes, PACKED))
+            pool.expect("a pool").install(|| build_over(&boxes, packed()))
         };
         let (one, three) = (on(1), on(3));
         assert_eq!(one.primitive_indices, three.primitive_indices);

@@ -1,7 +1,8 @@
 //! What a tree is built from: boxes that carry the index of their primitive.
 
 use glam::{Vec3A, Vec4};
-use obvhs::aabb::Aabb;
+
+use crate::math::Aabb;
 
 /// A box as a row of eight: the low corner with its signs changed, and the high corner. So the box
 /// around two boxes is one maximum. The fourth lane of either corner holds something else.
@@ -41,9 +42,9 @@ impl Corners {
     }
 
     /// As a box of obvhs's.
-    pub(super) fn aabb(&self) -> Aabb {
+    pub(super) fn aabb(&self) -> obvhs::aabb::Aabb {
         let [low, high] = self.halves();
-        Aabb { min: -Vec3A::from_vec4(low), max: Vec3A::from_vec4(high) }
+        obvhs::aabb::Aabb { min: -Vec3A::from_vec4(low), max: Vec3A::from_vec4(high) }
     }
 }
 

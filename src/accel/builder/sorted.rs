@@ -5,18 +5,20 @@ use glam::Vec4;
 use crate::math::{Lanes as _, Mask as _};
 use crate::simd::{LANES, Row as _, Simd};
 
+use super::bins::widest_axis;
 use super::reference::{Corners, NOWHERE, Reference};
 use super::sweep::{Best, Line, Sweep};
+use super::terms::Terms;
 
 /// So many primitives are sorted; more are binned.
 pub(super) const FEW: usize = LANES;
 
-/// Weighs all places of 2 to 16 primitives, and puts those along the best axis into order. None is
-/// found where all centres are one.
+/// Weighs all places of 2 to 16 primitives, along the widest axis alone if they may be a leaf or
+/// no more effort is wanted, and puts those along the best axis into order. None is found where all centres are one.
 #[inline(always)]
 pub(super) fn sort_and_part<S: Simd>(
     references: &mut [Reference],
-    pack_bits: u32,
+    terms: Terms,
     (line, sweep): (&mut Line, &mut Sweep),
 ) -> Best {
     let count = references.len().min(FEW);
@@ -33,9 +35,12 @@ pub(super) fn sort_and_part<S: Simd>(
     line.counts[..FEW].fill(1);
     let mut ranks = [[0; FEW]; 3];
     let mut best = Best::NONE;
-    let wide = low.cmplt(high).bitmask();
+    let mut axes = low.cmplt(high).bitmask();
+    if terms.effort.widest || count <= terms.most {
+        axes &= 1 << widest_axis(&[low, high]);
+    }
     for axis in 0..3 {
-        if wide >> axis & 1 == 0 {
+        if axes >> axis & 1 == 0 {
             continue;
         }
         let row = S::F16::load(&centers[axis]);
@@ -47,7 +52,7 @@ pub(super) fn sort_and_part<S: Simd>(
             ranks[axis][i] = rank as u8;
             S::F8::load(&references[i].0.0).store(&mut line.boxes[rank].0);
         }
-        sweep.weigh::<S>(line, count, axis, pack_bits, &mut best);
+        sweep.weigh::<S>(line, count, axis, terms.pack_bits, &mut best);
     }
     if best.count == 0 {
         return best;

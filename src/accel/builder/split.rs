@@ -8,13 +8,7 @@ use super::bins::{Bins, Grid};
 use super::reference::{Centers, Corners, NOWHERE, Reference};
 use super::sorted::{FEW, sort_and_part};
 use super::sweep::{Best, Line, Sweep};
-
-/// Of twice as many primitives, or more, a sample of at least so many is binned.
-const SAMPLE: usize = 2048;
-
-/// The most that the boxes around all primitives may be larger than those around a sample, by their
-/// areas. Where they are larger, the sample has left out what matters, and all are binned.
-const SLACK: f32 = 1.25;
+use super::terms::{Effort, Terms};
 
 /// Of so many primitives or fewer the box around the centres is found anew.
 const TIGHT: usize = 128;
@@ -37,8 +31,7 @@ pub(super) struct Splitting<'a> {
     pub(super) references: &'a mut [Reference],
     /// A box around twice the centres, which may be larger; of few primitives it means nothing.
     pub(super) centers: &'a Centers,
-    /// The logarithm of how many primitives are tested at once.
-    pub(super) pack_bits: u32,
+    pub(super) terms: Terms,
     pub(super) scratch: &'a mut Scratch,
 }
 
@@ -47,11 +40,12 @@ impl Kernel for Splitting<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Self::Output {
-        let Self { references, centers, pack_bits, scratch } = self;
+        let Self { references, centers, terms, scratch } = self;
+        let Effort { sample, slack, widest, .. } = terms.effort;
         let Scratch { bins, line, sweep } = scratch;
         let count = references.len();
         if count <= FEW {
-            return (sort_and_part::<S>(references, pack_bits, (line, sweep)), [NOWHERE; 2]);
+            return (sort_and_part::<S>(references, terms, (line, sweep)), [NOWHERE; 2]);
         }
         let mut centers = *centers;
         if count <= TIGHT {
@@ -61,9 +55,9 @@ impl Kernel for Splitting<'_> {
                 centers = [centers[0].min(center), centers[1].max(center)];
             }
         }
-        let grid = Grid::new(centers, count);
-        if count >= 2 * SAMPLE {
-            bins.fill::<S>(references, count / SAMPLE, &grid);
+        let grid = Grid::new(centers, count, widest);
+        if count >= 2 * sample {
+            bins.fill_sample::<S>(references, count / sample, &grid);
             // A sample says nothing of whole packs.
             let mut best = bins.best::<S>(&grid, 0, sweep);
             if best.count > 0 {
@@ -72,14 +66,14 @@ impl Kernel for Splitting<'_> {
                     [best.halves, halves].map(|[a, b]| [a.half_area(), b.half_area()]);
                 // Boxes that are not finite may all be on one side.
                 let parted = 0 < front && front < count;
-                if parted && all[0] <= SLACK * sampled[0] && all[1] <= SLACK * sampled[1] {
+                if parted && all[0] <= slack * sampled[0] && all[1] <= slack * sampled[1] {
                     (best.count, best.halves) = (front, halves);
                     return (best, grid.halves(&best));
                 }
             }
         }
-        bins.fill::<S>(references, 1, &grid);
-        let mut best = bins.best::<S>(&grid, pack_bits, sweep);
+        bins.fill::<S>(references, &grid);
+        let mut best = bins.best::<S>(&grid, terms.pack_bits, sweep);
         // Boxes that are not finite may be on either side.
         if best.count > 0 && part::<S, false>(references, &grid, &best).0 != best.count {
             best.count = 0;
@@ -122,11 +116,11 @@ fn part<S: Simd, const MEASURED: bool>(
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::Quality;
     use super::*;
-    use crate::math::Random;
+    use crate::math::{Aabb, Random};
     use crate::simd::dispatch;
     use glam::Vec3A;
-    use obvhs::aabb::Aabb;
 
     fn references(count: u32) -> Vec<Reference> {
         let mut random = Random::new(&[11, u64::from(count)]);
@@ -141,19 +135,23 @@ mod tests {
         references.iter().fold(Corners::EMPTY, |bounds, reference| bounds.union(&reference.0))
     }
 
-    fn split(references: &mut [Reference], pack_bits: u32) -> Best {
+    fn split(references: &mut [Reference], pack_bits: u32, quality: Quality) -> Best {
+        let effort = Effort::of(quality);
         let centers = references.iter().fold(NOWHERE, |[low, high], reference| {
             [low.min(reference.center()), high.max(reference.center())]
         });
         let scratch = &mut *Scratch::new();
-        dispatch(Splitting { references, centers: &centers, pack_bits, scratch }).0
+        let terms = Terms { pack_bits, most: 1, effort };
+        dispatch(Splitting { references, centers: &centers, terms, scratch }).0
     }
 
     #[test]
     fn parts_are_those_that_the_split_tells() {
-        for count in [2, 16, 17, 100, 1000, 4096, 30_000] {
+        let qualities = [Quality::Fastest, Quality::Medium];
+        let counts = [2, 16, 17, 100, 1000, 4096, 30_000];
+        for (count, quality) in counts.into_iter().flat_map(|n| qualities.map(|q| (n, q))) {
             let mut parted = references(count);
-            let best = split(&mut parted, 3);
+            let best = split(&mut parted, 3, quality);
             let mut seen: Vec<_> = parted.iter().map(Reference::index).collect();
             seen.sort_unstable();
             assert!(seen.into_iter().eq(0..count), "each of {count} is there once");
@@ -183,7 +181,7 @@ mod tests {
                         least = least.min(cost(left) + cost(right));
                     }
                 }
-                let found = split(&mut few, pack_bits).cost;
+                let found = split(&mut few, pack_bits, Quality::Medium).cost;
                 assert!((found - least).abs() <= 1e-5 * least, "{count}: {found}, {least}");
             }
         }
