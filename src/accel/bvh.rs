@@ -19,7 +19,6 @@ use crate::counters::Counters;
 use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
-use super::build::obvhs_boxes;
 use super::builder::{Builder, reinsert};
 use super::{Accel, Bounded, Build, Built, OptionInfo, Order, Tree};
 
@@ -67,8 +66,7 @@ impl Accel for Bvh {
         if primitives.count() == 0 {
             return Built { accel: Self { nodes: Vec::new(), root: None }, order: None };
         }
-        let boxes = build.stages.time("boxes", || obvhs_boxes(primitives));
-        let tree = binary_tree(&boxes, build);
+        let tree = binary_tree(primitives, build);
         build.stages.time("layout", || lay_out(&tree, build.grain))
     }
 
@@ -180,15 +178,15 @@ impl PairRay {
     }
 }
 
-/// The tree that is laid out, over at least one box. Where no option is given, it is that of obvhs's
+/// The tree that is laid out, over at least one primitive. Where no option is given, it is that of obvhs's
 /// `build_bvh2`.
-fn binary_tree(boxes: &[obvhs::aabb::Aabb], build: &mut Build<'_>) -> Bvh2 {
+fn binary_tree(primitives: &impl Bounded, build: &mut Build<'_>) -> Bvh2 {
     let Build { config, grain, stages } = build;
     let parameters = config.quality.parameters();
     let usual_leaf = parameters.max_prims_per_leaf.min(config.max_leaf);
     let most = config.options.number(&LEAF).unwrap_or(usual_leaf).max(1);
     let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Ploc);
-    let mut tree = builder.tree(boxes, *grain, config.quality, stages);
+    let mut tree = builder.tree(primitives, *grain, 1, config.quality, stages);
     let cost = parameters.collapse_traversal_cost;
     stages.time("collapse", || collapse(&mut tree, most, cost));
     let again = parameters.post_collapse_reinsertion_batch_ratio_multiplier;
@@ -243,17 +241,19 @@ fn planes_of(left: &Aabb, right: &Aabb) -> [Vec4; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::accel::build::obvhs_boxes;
+    use crate::accel::builder::tests::Boxes;
     use crate::accel::{BuildConfig, BuildOptions, BuildStages, Quality};
     use crate::math::Random;
 
-    fn boxes() -> Vec<obvhs::aabb::Aabb> {
+    fn boxes() -> Boxes {
         let mut random = Random::new(&[3]);
         let mut point = || Vec3A::from_array(std::array::from_fn(|_| random.next_f32()));
         let pairs = (0..3_000).map(|_| (point(), point()));
-        pairs.map(|(a, b)| obvhs::aabb::Aabb { min: a, max: a + 0.1 * b }).collect()
+        Boxes(pairs.map(|(a, b)| Aabb { min: a, max: a + 0.1 * b }).collect())
     }
 
-    fn tree(boxes: &[obvhs::aabb::Aabb], config: &BuildConfig) -> Bvh2 {
+    fn tree(boxes: &Boxes, config: &BuildConfig) -> Bvh2 {
         binary_tree(boxes, &mut Build { config, grain: 8, stages: &mut BuildStages::default() })
     }
 
@@ -267,7 +267,8 @@ mod tests {
                 let mut parameters = quality.parameters();
                 parameters.max_prims_per_leaf = parameters.max_prims_per_leaf.min(max_leaf);
                 let time = &mut std::time::Duration::default();
-                let expected = obvhs::bvh2::builder::build_bvh2(&boxes, parameters, time);
+                let expected =
+                    obvhs::bvh2::builder::build_bvh2(&obvhs_boxes(&boxes), parameters, time);
                 assert_eq!(format!("{:?}", own.nodes), format!("{:?}", expected.nodes));
                 assert_eq!(own.primitive_indices, expected.primitive_indices);
             }

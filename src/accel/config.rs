@@ -4,8 +4,8 @@ use obvhs::BvhBuildParams;
 
 use super::BuildOptions;
 
-/// How much time a build may take for a better tree: obvhs's presets. `bvh8` takes clustering and
-/// reinsertion from these, and has a builder of its own from [`Quality::Medium`] on.
+/// How much time a build may take for a better tree: obvhs's presets. `bvh8` has a builder of its own,
+/// which looks less closely in quick builds, and takes reinsertion from these in slow ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quality {
     /// obvhs's `fastest_build`.

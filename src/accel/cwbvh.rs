@@ -19,7 +19,6 @@ use crate::counters::Counters;
 use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, Ray, ones};
 
-use super::build::obvhs_boxes;
 use super::builder::Builder;
 use super::{Accel, Bounded, Build, Built, OptionInfo, Order, Tree};
 
@@ -56,9 +55,8 @@ impl Accel for CompressedWideBvh {
         let usual_leaf = config.quality.parameters().max_prims_per_leaf.min(config.max_leaf);
         let most = config.options.number(&LEAF).unwrap_or(usual_leaf).clamp(1, MOST);
         let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Ploc);
-        let boxes = stages.time("boxes", || obvhs_boxes(primitives));
         // Leaves begin anywhere, so that packs make none of them cheaper.
-        let binary = builder.tree(&boxes, 1, config.quality, stages);
+        let binary = builder.tree(primitives, 1, 1, config.quality, stages);
         let tree = stages.time("collapse", || bvh2_to_cwbvh(&binary, most, true, false));
         let mut nodes = tree.nodes;
         nodes.shrink_to_fit();

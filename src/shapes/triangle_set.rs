@@ -1,5 +1,6 @@
 //! The triangles of a mesh, eight to a pack, as structures offer them.
 
+mod extent;
 mod save;
 
 use std::ops::Range;
@@ -104,7 +105,7 @@ impl TriangleSet {
         let set = Self {
             packs,
             count,
-            mean_vertex: mean_vertex(positions, triangles),
+            mean_vertex: extent::mean_vertex(positions, triangles),
             padding: Padding { largest: 0.0, factor: 1.0 },
         };
         set.padded()
@@ -167,6 +168,7 @@ impl Bounded for TriangleSet {
         self.count
     }
 
+    #[inline]
     fn bounds(&self, index: u32) -> Aabb {
         self.slot(index).0.bounds()
     }
@@ -180,8 +182,7 @@ impl Bounded for TriangleSet {
     }
 
     fn total_bounds(&self) -> Aabb {
-        let bounds = (0..self.count).into_par_iter().map(|i| Bounded::bounds(self, i));
-        bounds.reduce(|| Aabb::EMPTY, Aabb::union)
+        extent::bounds_of(self)
     }
 }
 
@@ -405,18 +406,6 @@ fn pack(slots: usize, triangle: impl Fn(usize) -> Option<(Triangle, u32)> + Sync
     ask_for_huge_pages(packs.spare_capacity_mut());
     (0..count).into_par_iter().map(filled).collect_into_vec(&mut packs);
     packs
-}
-
-/// The mean of the vertices that the triangles use, each counted once: a file may hold others, and
-/// these are no part of the mesh.
-fn mean_vertex(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec3A {
-    let mut used = vec![false; positions.len()];
-    for &corner in triangles.as_flattened() {
-        used[corner as usize] = true;
-    }
-    let vertices = || positions.iter().zip(&used).filter(|&(_, &used)| used);
-    let sum = vertices().map(|(p, _)| p.as_dvec3()).sum::<DVec3>();
-    (sum / vertices().count().max(1) as f64).as_vec3a()
 }
 
 #[cfg(test)]

@@ -1,108 +1,64 @@
-//! A binary tree built from the top by the surface area heuristic, a primitive in each leaf.
+//! A binary tree built from the top by the surface area heuristic.
 //!
 //! A node's primitives are sorted into bins by their centres, along each axis, and are split
-//! between the two bins where the expected cost is the least. Primitives that are tested together
+//! between the two bins where the expected cost is the least (`split.rs`). Primitives that are tested together
 //! are counted in whole packs, which fills the leaves. After Wald: *On fast Construction of
 //! SAH-based Bounding Volume Hierarchies*, 2007.
 //!
-//! A subtree of n primitives has 2n − 1 nodes. So the places of both halves are known before they are
-//! built, and are built in parallel; which thread does it changes nothing.
+//! Large parts are built in parallel, each into nodes of its own, which are then put behind each
+//! other; which thread does it changes nothing.
 
-use glam::Vec4;
-use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 use rayon::prelude::*;
 
-/// The most bins along an axis. Small nodes have fewer, since their cost lies in emptying them.
-const BINS: usize = 32;
+use crate::simd::{ask_for_huge_pages, dispatch};
+
+use super::super::{Bounded, BuildStages};
+use super::branch::Branch;
+use super::reference::{Centers, Corners, NOWHERE, Reference};
+use super::split::{Scratch, Splitting};
+use super::terms::Terms;
 
 /// From this depth on primitives are halved by number: no tree is deeper than this and 32 more.
 const USUAL_DEPTH: u32 = 96;
 
-/// Parts of at least so many primitives are built in parallel; chunks of that size are binned in
-/// parallel.
+/// Parts of at least so many primitives are built in parallel.
 const PARALLEL: usize = 1 << 13;
 
-/// Builds a tree over at least one box, for leaves in which so many primitives, a power of two, cost
-/// as much as one.
-pub(super) fn build(boxes: &[Aabb], pack: u32) -> Bvh2 {
-    let mut references: Vec<_> =
-        boxes.par_iter().enumerate().map(|(index, bounds)| Reference::new(index, bounds)).collect();
+/// Builds a tree over at least one primitive.
+pub(super) fn build(primitives: &impl Bounded, terms: Terms, stages: &mut BuildStages) -> Bvh2 {
+    let mut references = Vec::with_capacity(primitives.count() as usize);
+    ask_for_huge_pages(references.spare_capacity_mut());
+    stages.time("boxes", || {
+        let each = (0..primitives.count()).into_par_iter();
+        each.map(|index| Reference::new(index, &primitives.bounds(index)))
+            .collect_into_vec(&mut references);
+    });
+    stages.time("tree", || tree(&mut references, terms))
+}
+
+fn tree(references: &mut [Reference], terms: Terms) -> Bvh2 {
     let (bounds, centers) = references
-        .par_iter()
-        .map(|reference| (reference.bounds(), Region::at(reference.center())))
-        .reduce(|| (Region::EMPTY, Region::EMPTY), |a, b| (a.0.union(b.0), a.1.union(b.1)));
-    let mut nodes = vec![Bvh2Node::default(); 2 * boxes.len() - 1];
-    let (root, below) = nodes.split_first_mut().expect("there is a root");
-    let part =
-        Part { references: &mut references, first: 0, bounds, centers, pack_bits: pack.ilog2() };
-    *root = grow(part, below, 1, 0);
-    let primitive_indices = references.par_iter().map(|reference| reference.index()).collect();
+        .par_chunks(PARALLEL)
+        .map(around)
+        .reduce(|| (Corners::EMPTY, NOWHERE), |a, b| (a.0.union(&b.0), both(&a.1, &b.1)));
+    let part = Part { references: &mut *references, first: 0, bounds, centers, terms };
+    let nodes = grow(part, 0).into_nodes();
+    let primitive_indices = references.par_iter().map(Reference::index).collect();
     Bvh2 { nodes, primitive_indices, ..Bvh2::default() }
 }
 
-/// A primitive's box. Half of the bits of its index stand in the last lane of either corner, as
-/// whole numbers.
-#[derive(Clone, Copy)]
-struct Reference {
-    low: Vec4,
-    high: Vec4,
+fn both(a: &Centers, b: &Centers) -> Centers {
+    [a[0].min(b[0]), a[1].max(b[1])]
 }
 
-impl Reference {
-    fn new(index: usize, bounds: &Aabb) -> Self {
-        Self {
-            low: bounds.min.extend((index & 0xffff) as f32),
-            high: bounds.max.extend((index >> 16) as f32),
-        }
-    }
-
-    fn index(&self) -> u32 {
-        self.low.w as u32 | (self.high.w as u32) << 16
-    }
-
-    fn bounds(&self) -> Region {
-        Region { low: self.low, high: self.high }
-    }
-
-    /// Twice the centre of the box.
-    #[inline(always)]
-    fn center(&self) -> Vec4 {
-        self.low + self.high
-    }
-}
-
-/// A box. Its last lane means nothing.
-#[derive(Clone, Copy)]
-struct Region {
-    low: Vec4,
-    high: Vec4,
-}
-
-impl Region {
-    const EMPTY: Self =
-        Self { low: Vec4::splat(f32::INFINITY), high: Vec4::splat(f32::NEG_INFINITY) };
-
-    fn at(point: Vec4) -> Self {
-        Self { low: point, high: point }
-    }
-
-    #[inline(always)]
-    fn union(self, other: Self) -> Self {
-        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
-    }
-
-    /// Half of the surface; of an empty box, nothing sensible.
-    #[inline(always)]
-    fn half_area(&self) -> f32 {
-        let size = self.high - self.low;
-        size.x * size.y + size.y * size.z + size.z * size.x
-    }
-
-    fn aabb(&self) -> Aabb {
-        Aabb { min: self.low.truncate().into(), max: self.high.truncate().into() }
-    }
+/// The boxes around some primitives and around their centres.
+fn around(references: &[Reference]) -> (Corners, Centers) {
+    references.iter().fold((Corners::EMPTY, NOWHERE), |(bounds, centers), reference| {
+        let center = reference.center();
+        (bounds.union(&reference.0), both(&centers, &[center, center]))
+    })
 }
 
 /// Primitives that a node is built over.
@@ -110,208 +66,115 @@ struct Part<'a> {
     references: &'a mut [Reference],
     /// The place of the first of them in the tree's order.
     first: u32,
-    bounds: Region,
-    /// The box around twice their centres.
-    centers: Region,
-    /// The logarithm of how many are tested at once.
-    pack_bits: u32,
+    bounds: Corners,
+    /// Only an estimate; of few primitives it means nothing.
+    centers: Centers,
+    terms: Terms,
 }
 
-/// Builds a node, and those below it into `below`, whose first is node `base` of the tree.
-fn grow(part: Part<'_>, below: &mut [Bvh2Node], base: u32, depth: u32) -> Bvh2Node {
-    let (bounds, first) = (part.bounds, part.first);
-    if part.references.len() == 1 {
-        return Bvh2Node::new(bounds.aabb(), 1, first);
+/// Builds a node and those below it.
+fn grow(mut part: Part<'_>, depth: u32) -> Branch {
+    let scratch = &mut *Scratch::new();
+    let bounds = part.bounds.aabb();
+    if part.references.len() < PARALLEL {
+        // Where leaves hold several primitives, they are more than half full.
+        let leaves = part.references.len().div_ceil(part.terms.most.min(2));
+        let mut nodes = Vec::with_capacity(2 * leaves);
+        nodes.push(Bvh2Node::default());
+        grow_in_sequence(part, (&mut nodes, 0), depth, scratch);
+        return Branch::Grown(nodes);
     }
-    let parallel = part.references.len() >= PARALLEL;
-    let [left, right] = part.split(depth);
-    let (pair, below) = below.split_at_mut(2);
-    let (below_left, below_right) = below.split_at_mut(2 * left.references.len() - 2);
-    let (base_left, base_right) = (base + 2, base + 2 + below_left.len() as u32);
-    let grow_left = || grow(left, below_left, base_left, depth + 1);
-    let grow_right = || grow(right, below_right, base_right, depth + 1);
-    let (left, right) =
-        if parallel { rayon::join(grow_left, grow_right) } else { (grow_left(), grow_right()) };
-    pair.copy_from_slice(&[left, right]);
-    Bvh2Node::new(bounds.aabb(), 0, base)
+    let halves = part.split(depth, scratch).expect("a large part is no leaf");
+    let [left, right] = part.halves(halves);
+    let (left, right) = rayon::join(|| grow(left, depth + 1), || grow(right, depth + 1));
+    Branch::Fork(bounds, Box::new([left, right]))
 }
+
+/// Builds a node at a place among others, and those below it behind all of them.
+fn grow_in_sequence(
+    mut part: Part<'_>,
+    (nodes, place): (&mut Vec<Bvh2Node>, usize),
+    depth: u32,
+    scratch: &mut Scratch,
+) {
+    let bounds = part.bounds.aabb();
+    let Some(halves) = part.split(depth, scratch) else {
+        nodes[place] = Bvh2Node::new(bounds, part.references.len() as u32, part.first);
+        return;
+    };
+    let [left, right] = part.halves(halves);
+    let below = nodes.len();
+    nodes[place] = Bvh2Node::new(bounds, 0, below as u32);
+    nodes.extend([Bvh2Node::default(); 2]);
+    grow_in_sequence(left, (nodes, below), depth + 1, scratch);
+    grow_in_sequence(right, (nodes, below + 1), depth + 1, scratch);
+}
+
+/// How many primitives are in the first half of a part, the boxes around both halves and around their
+/// centres.
+type Halves = (usize, [Corners; 2], [Centers; 2]);
 
 impl<'a> Part<'a> {
-    /// Splits at least two primitives. Not inlined: its bins would stand in every frame of the
-    /// recursion.
-    #[inline(never)]
-    fn split(self, depth: u32) -> [Self; 2] {
-        let count = self.references.len();
-        if count == 2 || depth >= USUAL_DEPTH {
-            return self.at(count / 2);
+    /// Splits the primitives in place. Returns how many are in the first half, the boxes around both
+    /// and around their centres; nothing if they are to be a leaf.
+    fn split(&mut self, depth: u32, scratch: &mut Scratch) -> Option<Halves> {
+        let Self { references, centers, terms, .. } = self;
+        let (terms, most) = (*terms, terms.most);
+        let count = references.len();
+        if count <= terms.unparted() {
+            return None;
         }
-        let grid = Grid::new(&self.centers, count);
-        let Some(Split { axis, last }) =
-            Bins::of(self.references, &grid).split(&grid, self.pack_bits)
-        else {
-            return self.at(count / 2);
-        };
-        // Those of the bins up to `last` go to the front.
-        let (mut left, mut right) = ([Region::EMPTY; 2], [Region::EMPTY; 2]);
-        let (mut front, mut back) = (0, count);
-        while front < back {
-            let reference = self.references[front];
-            let center = reference.center();
-            let goes_left = grid.places(center)[axis] <= last;
-            let side = if goes_left { &mut left } else { &mut right };
-            *side = [side[0].union(reference.bounds()), side[1].union(Region::at(center))];
-            if goes_left {
-                front += 1;
-            } else {
-                back -= 1;
-                self.references.swap(front, back);
+        if depth < USUAL_DEPTH {
+            let (best, centers) = dispatch(Splitting { references, centers, terms, scratch });
+            if count <= most && self.bounds.half_area() <= best.cost {
+                return None;
             }
+            if best.count > 0 {
+                return Some((best.count, best.halves, centers));
+            }
+        } else if count <= most {
+            return None;
         }
-        self.halves(front, left, right)
-    }
-
-    /// Parts them by number.
-    fn at(self, count: usize) -> [Self; 2] {
-        let around = |references: &[Reference]| {
-            references.iter().fold([Region::EMPTY; 2], |[bounds, centers], reference| {
-                let center = Region::at(reference.center());
-                [bounds.union(reference.bounds()), centers.union(center)]
-            })
-        };
-        let (left, right) = self.references.split_at(count);
+        // By number.
+        let (left, right) = references.split_at(count / 2);
         let (left, right) = (around(left), around(right));
-        self.halves(count, left, right)
+        Some((count / 2, [left.0, right.0], [left.1, right.1]))
     }
 
-    fn halves(self, count: usize, left: [Region; 2], right: [Region; 2]) -> [Self; 2] {
-        let (front, back) = self.references.split_at_mut(count);
-        let part = |references, first, [bounds, centers]: [Region; 2]| Part {
+    fn halves(self, (count, bounds, centers): Halves) -> [Self; 2] {
+        let Self { references, first, terms, .. } = self;
+        let (front, back) = references.split_at_mut(count);
+        let part = |references, first, side: usize| Part {
             references,
             first,
-            bounds,
-            centers,
-            pack_bits: self.pack_bits,
+            bounds: bounds[side],
+            centers: centers[side],
+            terms,
         };
-        [part(front, self.first, left), part(back, self.first + count as u32, right)]
-    }
-}
-
-/// Where along the axes the bins of a node lie.
-struct Grid {
-    origin: Vec4,
-    /// Bins per length; 0 along an axis on which all centres are one.
-    scale: Vec4,
-    bins: usize,
-}
-
-impl Grid {
-    fn new(centers: &Region, count: usize) -> Self {
-        let bins = BINS.min(8 + count / 16);
-        let size = centers.high - centers.low;
-        let scale = Vec4::splat((bins - 1) as f32) / size;
-        // Sizes too small to divide by pass for none.
-        let scale = Vec4::select(scale.cmplt(Vec4::splat(f32::INFINITY)), scale, Vec4::ZERO);
-        Self { origin: centers.low, scale, bins }
-    }
-
-    /// The bin of a centre along each axis: the nearest whole number.
-    #[inline(always)]
-    fn places(&self, center: Vec4) -> [usize; 3] {
-        // Added to 2²³, a small number is rounded to whole ones and stands in the lowest bits.
-        let [x, y, z, _] =
-            ((center - self.origin) * self.scale + Vec4::splat(8_388_608.0)).to_array();
-        [x, y, z].map(|number| (number.to_bits() as usize % BINS).min(self.bins - 1))
-    }
-}
-
-/// The primitives whose centres lie in a bin.
-#[derive(Clone, Copy)]
-struct Bin {
-    bounds: Region,
-    count: u32,
-}
-
-impl Bin {
-    const EMPTY: Self = Self { bounds: Region::EMPTY, count: 0 };
-
-    fn and(self, other: &Self) -> Self {
-        Self { bounds: self.bounds.union(other.bounds), count: self.count + other.count }
-    }
-
-    /// The expected cost of testing its primitives, if it is a node: 0 if there are none.
-    fn cost(&self, pack_bits: u32) -> f32 {
-        let tests = (self.count + (1 << pack_bits) - 1) >> pack_bits;
-        if self.count == 0 { 0.0 } else { self.bounds.half_area() * tests as f32 }
-    }
-}
-
-/// The bins along the three axes.
-struct Bins([[Bin; BINS]; 3]);
-
-/// The best place to part a node's primitives: behind bin `last` along an axis.
-struct Split {
-    axis: usize,
-    last: usize,
-}
-
-impl Bins {
-    fn of(references: &[Reference], grid: &Grid) -> Self {
-        if references.len() < 2 * PARALLEL {
-            return Self::of_chunk(references, grid);
-        }
-        let chunks = references.par_chunks(PARALLEL).map(|chunk| Self::of_chunk(chunk, grid));
-        chunks.reduce(|| Self([[Bin::EMPTY; BINS]; 3]), Self::merged)
-    }
-
-    fn of_chunk(references: &[Reference], grid: &Grid) -> Self {
-        let mut bins = [[Bin::EMPTY; BINS]; 3];
-        for reference in references {
-            let places = grid.places(reference.center());
-            for (bins, place) in bins.iter_mut().zip(places) {
-                let bin = &mut bins[place];
-                bin.bounds = bin.bounds.union(reference.bounds());
-                bin.count += 1;
-            }
-        }
-        Self(bins)
-    }
-
-    fn merged(mut self, other: Self) -> Self {
-        for (bin, other) in self.0.as_flattened_mut().iter_mut().zip(other.0.as_flattened()) {
-            *bin = bin.and(other);
-        }
-        self
-    }
-
-    /// The cheapest split with primitives on both sides; none if all centres are in one bin.
-    fn split(&self, grid: &Grid, pack_bits: u32) -> Option<Split> {
-        let mut best = (f32::INFINITY, None);
-        for (axis, bins) in self.0.iter().enumerate() {
-            let bins = &bins[..grid.bins];
-            let mut behind = [0.0; BINS];
-            let mut right = Bin::EMPTY;
-            for last in (0..bins.len() - 1).rev() {
-                right = right.and(&bins[last + 1]);
-                behind[last] = right.cost(pack_bits);
-            }
-            let (mut left, all) = (Bin::EMPTY, right.count + bins[0].count);
-            for (last, bin) in bins[..bins.len() - 1].iter().enumerate() {
-                left = left.and(bin);
-                let cost = left.cost(pack_bits) + behind[last];
-                if 0 < left.count && left.count < all && cost < best.0 {
-                    best = (cost, Some(Split { axis, last }));
-                }
-            }
-        }
-        best.1
+        [part(front, first, 0), part(back, first + count as u32, 1)]
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::Quality;
+    use super::super::terms::Effort;
+    use super::super::tests::Boxes;
     use super::*;
-    use crate::math::Random;
+    use crate::math::{Aabb, Random};
     use glam::Vec3A;
+
+    fn terms(pack_bits: u32, most: usize, quality: Quality) -> Terms {
+        Terms { pack_bits, most, effort: Effort::of(quality) }
+    }
+
+    fn single() -> Terms {
+        terms(0, 1, Quality::Medium)
+    }
+
+    fn packed() -> Terms {
+        terms(3, 8, Quality::Medium)
+    }
 
     fn boxes(count: u32) -> Vec<Aabb> {
         let mut random = Random::new(&[7, u64::from(count)]);
@@ -322,48 +185,98 @@ mod tests {
             .collect()
     }
 
-    /// Every primitive once, boxes that are the unions of those below, depth.
-    fn check(boxes: &[Aabb], pack: u32) -> u32 {
-        let tree = build(boxes, pack);
+    fn build_over(boxes: &[Aabb], terms: Terms) -> Bvh2 {
+        build(&Boxes(boxes.to_vec()), terms, &mut BuildStages::default())
+    }
+
+    fn bounds_of(node: &Bvh2Node) -> Aabb {
+        Aabb { min: node.aabb().min, max: node.aabb().max }
+    }
+
+    /// Every primitive once, boxes that are the unions of those below, leaves that are not too large:
+    /// depth.
+    fn check(boxes: &[Aabb], terms: Terms) -> u32 {
+        let tree = build_over(boxes, terms);
         let mut seen = vec![false; boxes.len()];
         let mut deepest = 0;
         let mut open = vec![(0, 0)];
+        let mut nodes = 0;
         while let Some((index, depth)) = open.pop() {
+            nodes += 1;
             let node: &Bvh2Node = &tree.nodes[index as usize];
             deepest = deepest.max(depth);
             let first = node.first_index as usize;
             let expected = if node.is_leaf() {
-                let primitive = tree.primitive_indices[first] as usize;
-                assert!(!std::mem::replace(&mut seen[primitive], true));
-                boxes[primitive]
+                let count = node.prim_count as usize;
+                assert!(count <= terms.most);
+                let mut around = Aabb::EMPTY;
+                for &primitive in &tree.primitive_indices[first..first + count] {
+                    assert!(!std::mem::replace(&mut seen[primitive as usize], true));
+                    around = around.union(boxes[primitive as usize]);
+                }
+                around
             } else {
                 open.extend([(node.first_index, depth + 1), (node.first_index + 1, depth + 1)]);
-                tree.nodes[first].aabb().union(tree.nodes[first + 1].aabb())
+                let [left, right] = [first, first + 1].map(|child| bounds_of(&tree.nodes[child]));
+                left.union(right)
             };
-            assert_eq!((node.aabb().min, node.aabb().max), (expected.min, expected.max));
+            assert_eq!(bounds_of(node), expected);
         }
         assert!(seen.iter().all(|&seen| seen));
+        assert_eq!(nodes, tree.nodes.len());
         deepest
     }
 
     #[test]
     fn trees_hold_all_primitives_in_the_boxes_around_them() {
         for count in [1, 2, 3, 17, 1000, 70_000] {
-            check(&boxes(count), 1);
-            check(&boxes(count), 8);
+            for quality in Quality::ALL {
+                check(&boxes(count), terms(0, 1, quality));
+                check(&boxes(count), terms(3, 1, quality));
+                check(&boxes(count), terms(3, 8, quality));
+            }
         }
     }
 
     #[test]
+    fn boxes_far_from_the_origin_are_parted_as_far_as_they_differ() {
+        let far = Vec3A::splat(1e7);
+        let boxes = boxes(20_000)
+            .into_iter()
+            .map(|b| Aabb { min: far + 9.0 * b.min, max: far + 9.0 * b.max });
+        check(&boxes.collect::<Vec<_>>(), packed());
+    }
+
+    #[test]
     fn equal_centers_are_halved() {
-        assert_eq!(check(&vec![boxes(1)[0]; 1024], 8), 10);
+        assert_eq!(check(&vec![boxes(1)[0]; 1024], single()), 10);
     }
 
     #[test]
     fn centers_that_shrink_towards_a_point_make_no_chain() {
         let at = |i: i32| Vec3A::splat(0.5f32.powi(i / 8));
         let boxes: Vec<_> = (0..1000).map(|i| Aabb { min: at(i), max: at(i) }).collect();
-        assert!(check(&boxes, 1) < USUAL_DEPTH + 32);
+        assert!(check(&boxes, single()) < USUAL_DEPTH + 32);
+    }
+
+    #[test]
+    fn boxes_that_are_not_finite_lose_no_primitive() {
+        let mut boxes = boxes(6000);
+        for (i, bounds) in boxes.iter_mut().enumerate().filter(|(i, _)| i % 7 == 0) {
+            let far = if i % 2 == 0 { f32::INFINITY } else { f32::MAX };
+            *bounds = Aabb { min: Vec3A::splat(-far), max: Vec3A::splat(far) };
+        }
+        check(&boxes, single());
+        check(&boxes, packed());
+    }
+
+    #[test]
+    fn one_large_box_among_small_ones_is_soon_apart() {
+        let mut boxes = boxes(40_000);
+        boxes.push(Aabb { min: Vec3A::splat(-9.0), max: Vec3A::splat(9.0) });
+        let tree = build_over(&boxes, packed());
+        let large = tree.nodes.iter().filter(|node| node.aabb().max.x == 9.0).count();
+        assert!(large < 20, "{large} nodes");
     }
 
     #[test]
@@ -371,7 +284,7 @@ mod tests {
         let boxes = boxes(50_000);
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-            pool.expect("a pool").install(|| build(&boxes, 8))
+            pool.expect("a pool").install(|| build_over(&boxes, packed()))
         };
         let (one, three) = (on(1), on(3));
         assert_eq!(one.primitive_indices, three.primitive_indices);

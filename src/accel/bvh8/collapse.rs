@@ -12,11 +12,12 @@ use rayon::prelude::*;
 use crate::math::{Aabb, NONE};
 use crate::simd::ask_for_huge_pages;
 
-use super::node::{Child, Node, WIDTH};
-use super::plan::{Leaves, Plan, pair};
+use super::node::{Child, Node};
+use super::plan::{Leaves, Plan, Roots, pair};
 
-/// Subtrees that are laid out in parallel.
+/// The most subtrees that are laid out in parallel, and binary nodes for which there is one.
 const SUBTREES: usize = 512;
+const NODES_OF_SUBTREE: usize = 1024;
 
 /// A wide tree, or a part of one: its nodes, and the primitives in slots.
 #[derive(Default)]
@@ -26,14 +27,20 @@ pub(super) struct Wide {
     pub(super) order: Vec<u32>,
 }
 
-/// A binary node that becomes a wide one, and the place of that.
-type Open = (u32, usize);
+/// A binary node that becomes a wide one.
+struct Open {
+    binary: u32,
+    /// The place of the wide one.
+    place: usize,
+    /// Half of its surface.
+    area: f32,
+}
 
-/// Lays out a tree whose leaves are single primitives.
+/// Lays out a tree whose leaves hold no more primitives than a leaf may.
 pub(super) fn collapse(tree: &Bvh2, plan: &Plan, leaves: Leaves) -> Wide {
     let layout = Layout { tree, plan, leaves };
     let (mut wide, open) = layout.top();
-    let subtrees: Vec<_> = open.par_iter().map(|&(binary, _)| layout.subtree(binary)).collect();
+    let subtrees: Vec<_> = open.par_iter().map(|open| layout.subtree(open.binary)).collect();
     wide.append(&open, &subtrees, leaves.block);
     wide
 }
@@ -55,9 +62,10 @@ impl Layout<'_> {
     /// The top of the tree, and the nodes in it that are still open.
     fn top(&self) -> (Wide, Vec<Open>) {
         let mut wide = Wide { nodes: vec![Node::EMPTY], order: Vec::new() };
-        let mut open = VecDeque::from([(0, 0)]);
-        while open.len() < SUBTREES
-            && let Some((binary, place)) = open.pop_front()
+        let mut open = VecDeque::from([Open { binary: 0, place: 0, area: 0.0 }]);
+        let subtrees = SUBTREES.min(self.tree.nodes.len() / NODES_OF_SUBTREE + 1);
+        while open.len() < subtrees
+            && let Some(Open { binary, place, .. }) = open.pop_front()
         {
             let mut below = Vec::new();
             wide.nodes[place] = self.node(binary, &mut wide, &mut below);
@@ -70,13 +78,11 @@ impl Layout<'_> {
         let mut below = Wide::default();
         let mut open = Vec::new();
         let root = self.node(binary, &mut below, &mut open);
-        while let Some((binary, place)) = open.pop() {
+        while let Some(Open { binary, place, .. }) = open.pop() {
             let first = open.len();
             below.nodes[place] = self.node(binary, &mut below, &mut open);
             // Large children are visited most: they come next, and their nodes lie near.
-            open[first..].sort_by(|(a, _), (b, _)| {
-                self.bounds(*a).half_area().total_cmp(&self.bounds(*b).half_area())
-            });
+            open[first..].sort_by(|a, b| a.area.total_cmp(&b.area));
         }
         Subtree { root, below }
     }
@@ -84,7 +90,7 @@ impl Layout<'_> {
     /// A wide node. Its leaves are added to `wide`, and so are places for its inner children, which
     /// join the open ones.
     fn node(&self, binary: u32, wide: &mut Wide, open: &mut Vec<Open>) -> Node {
-        let mut roots = Vec::with_capacity(WIDTH);
+        let mut roots = Roots::new();
         self.plan.children(binary, &mut roots);
         let mut node = Node::EMPTY;
         for (lane, &root) in roots.iter().enumerate() {
@@ -92,7 +98,8 @@ impl Layout<'_> {
                 self.leaf(root, wide)
             } else {
                 wide.nodes.push(Node::EMPTY);
-                open.push((root, wide.nodes.len() - 1));
+                let area = self.tree.nodes[root as usize].aabb().half_area();
+                open.push(Open { binary: root, place: wide.nodes.len() - 1, area });
                 Child::node(wide.nodes.len() - 1)
             };
             node.set(lane, child, &self.bounds(root));
@@ -105,7 +112,7 @@ impl Layout<'_> {
     /// pack, the first lane is then the first primitive.
     fn leaf(&self, root: u32, wide: &mut Wide) -> Child {
         let start = wide.order.len();
-        let mut open = vec![root];
+        let mut open = Roots::from_slice(&[root]);
         while let Some(binary) = open.pop() {
             let node = &self.tree.nodes[binary as usize];
             if node.is_leaf() {
@@ -143,7 +150,7 @@ impl Wide {
         let (_, mut slots) = self.order.split_at_mut(first_slot);
         let (mut node, mut slot) = (first_node, first_slot);
         let mut copies = Vec::with_capacity(subtrees.len());
-        for (&(_, place), Subtree { root, below }) in open.iter().zip(subtrees) {
+        for (&Open { place, .. }, Subtree { root, below }) in open.iter().zip(subtrees) {
             top[place] = root.moved(node, slot / block);
             copies.push((
                 below,

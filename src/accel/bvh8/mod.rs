@@ -1,8 +1,7 @@
 //! A tree of eight children a node, with kernels that trace many rays at once.
 //!
-//! A binary tree (`builder/`) is collapsed at the least cost (`plan.rs`, `collapse.rs`). Quick builds
-//! cluster it. All others go from the top down: that takes a little longer, and a ray then costs less
-//! than in the trees of obvhs's slowest build. Slices of rays go down it in packets as long as they are coherent
+//! A binary tree (`builder/`), made from the top down, is collapsed at the least cost (`plan.rs`,
+//! `collapse.rs`). Slices of rays go down it in packets as long as they are coherent
 //! (`packet.rs`) and in waves where they are not (`wave.rs`), which `kernels.rs` decides; where
 //! primitives are not tested in packs, a stream of rays is brought to each node and to each primitive
 //! that any of them meets (`stream.rs`). A single ray is walked by [`Accel::traverse`]. So are the
@@ -35,11 +34,10 @@ use self::collapse::collapse;
 use self::node::{Child, FAR, Node, WIDTH, near_planes, order_shift};
 use self::plan::{Leaves, Plan};
 use self::slab_ray::Sides;
-use super::build::obvhs_boxes;
 use super::builder::Builder;
 use super::{
-    Accel, Bounded, Build, Built, OptionInfo, Order, PACK, Packs, Primitives, Quality, Query,
-    Scratch, Search, Tree, search_one,
+    Accel, Bounded, Build, Built, OptionInfo, Order, PACK, Packs, Primitives, Query, Scratch,
+    Search, Tree, search_one,
 };
 
 /// The stack lives with the call up to this height, and on the heap beyond.
@@ -60,7 +58,7 @@ pub struct Bvh8 {
     need: usize,
 }
 
-const BUILDER: OptionInfo = Builder::option("sah; in fast and fastest builds ploc");
+const BUILDER: OptionInfo = Builder::option("sah");
 const LEAF: OptionInfo = OptionInfo::leaf(WIDTH as u32, "8");
 
 impl Accel for Bvh8 {
@@ -79,12 +77,9 @@ impl Accel for Bvh8 {
             let accel = Self { nodes: Vec::new(), block: leaves.block, need: 0 };
             return Built { accel, order: None };
         }
-        let boxes = stages.time("boxes", || obvhs_boxes(primitives));
-        let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(match config.quality {
-            Quality::Fastest | Quality::Fast => Builder::Ploc,
-            Quality::Medium | Quality::Slow | Quality::Slowest => Builder::Sah,
-        });
-        let tree = builder.tree(&boxes, leaves.block as u32, config.quality, stages);
+        let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Sah);
+        let pack = leaves.block as u32;
+        let tree = builder.tree(primitives, pack, leaves.most, config.quality, stages);
         let plan = stages.time("plan", || Plan::new(&tree, leaves));
         let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
         let need = stack_need(&wide.nodes);

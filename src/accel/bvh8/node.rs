@@ -29,6 +29,9 @@ const CHILDREN: usize = 6 * WIDTH;
 /// child comes in this place, the farthest first.
 const ORDERS: usize = 7 * WIDTH;
 
+/// Octants of directions.
+const OCTANTS: usize = 8;
+
 /// The bit in which the places of near and far planes differ.
 pub(super) const FAR: u32 = WIDTH as u32;
 
@@ -211,22 +214,34 @@ impl Node {
     /// Notes the order in which each octant's rays meet the children: by the children's centres
     /// along the octant's diagonal.
     pub(super) fn sort(&mut self) {
-        let mut centers = [Vec3A::ZERO; WIDTH];
-        let mut count = 0;
+        // What is absent comes last.
+        let mut along = [[f32::NEG_INFINITY; OCTANTS]; WIDTH];
         for (lane, _) in self.present() {
-            centers[lane] = self.child_bounds(lane).center();
-            count = lane + 1;
+            let center = self.child_bounds(lane).center();
+            for (octant, along) in along[lane].iter_mut().enumerate() {
+                let sign = |axis: usize| if octant >> axis & 1 == 0 { 1.0 } else { -1.0 };
+                let sum = center.x * sign(0) + center.y * sign(1) + center.z * sign(2);
+                // What is no number, of a box that is not finite, would have no place.
+                *along = if sum.is_nan() { 0.0 } else { sum };
+            }
         }
-        self.words[ORDERS..].fill(0);
-        for octant in 0..8 {
-            let diagonal = Vec3A::from_array(std::array::from_fn(|axis| {
-                if octant >> axis & 1 == 0 { 1.0 } else { -1.0 }
-            }));
-            let along = centers.map(|center| center.dot(diagonal));
-            let mut lanes: [usize; WIDTH] = std::array::from_fn(|lane| lane);
-            lanes[..count].sort_by(|&a, &b| along[b].total_cmp(&along[a]));
-            for (word, lane) in self.words[ORDERS..].iter_mut().zip(lanes) {
-                *word |= (lane as u32) << order_shift(octant);
+        // A child's place is the number of those that come before it: the farther ones, and of those
+        // that are equally far the earlier lanes. All octants are counted together.
+        let mut places = [[0; OCTANTS]; WIDTH];
+        for late in 1..WIDTH {
+            for early in 0..late {
+                for octant in 0..OCTANTS {
+                    let farther = u32::from(along[late][octant] > along[early][octant]);
+                    places[early][octant] += farther;
+                    places[late][octant] += 1 - farther;
+                }
+            }
+        }
+        let orders = &mut self.words[ORDERS..];
+        orders.fill(0);
+        for (lane, places) in places.iter().enumerate() {
+            for (octant, &place) in places.iter().enumerate() {
+                orders[place as usize % WIDTH] |= (lane as u32) << order_shift(octant as u32);
             }
         }
     }

@@ -11,6 +11,7 @@
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use obvhs::bvh2::Bvh2;
+use smallvec::SmallVec;
 
 use super::node::WIDTH;
 
@@ -60,6 +61,9 @@ pub(super) struct Forests {
     count: u32,
 }
 
+/// Roots of a forest.
+pub(super) type Roots = SmallVec<[u32; WIDTH]>;
+
 /// The children of a node of a binary tree.
 pub(super) fn pair(tree: &Bvh2, node: u32) -> [u32; 2] {
     let left = tree.nodes[node as usize].first_index;
@@ -87,7 +91,7 @@ impl<'a> Plan<'a> {
 
     /// The children of the wide node that a binary node becomes; itself if it is a leaf, which a
     /// whole tree can be.
-    pub(super) fn children(&self, node: u32, roots: &mut Vec<u32>) {
+    pub(super) fn children(&self, node: u32, roots: &mut Roots) {
         if self.is_leaf(node) {
             roots.push(node);
             return;
@@ -99,7 +103,7 @@ impl<'a> Plan<'a> {
     }
 
     /// The roots of a node's forest with at most `count` of them.
-    fn add_roots(&self, node: u32, count: u32, roots: &mut Vec<u32>) {
+    fn add_roots(&self, node: u32, count: u32, roots: &mut Roots) {
         let choices = self.choices[node as usize];
         let fewer = |&count: &u32| count == 1 || choices.left_share(count) != ONE_LESS;
         let count = (1..=count).rev().find(fewer).unwrap_or(1);
