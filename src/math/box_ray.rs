@@ -1,10 +1,10 @@
 //! The slab test of a ray that travels alone; the arithmetic is that of `slab.rs`.
 //!
-//! Equal hits rest on it. A hit counts only if its `t` lies in the interval of its
-//! primitive's own box, and a structure may only skip a box whose interval ends before, or begins
-//! behind, what is searched. Each operation below rounds monotonically in the plane's coordinate,
-//! so the interval of an enclosing box contains that of every box within, to the last bit: what
-//! counts is never skipped.
+//! Equal hits rest on it. A hit counts only if the interval of its primitive's own box reaches what
+//! is searched and begins no later than the hit, and a structure may only skip a box whose interval
+//! ends before, or begins behind, what is searched. Each operation below rounds monotonically in the
+//! plane's coordinate, so the interval of an enclosing box contains that of every box within, to the
+//! last bit: what counts is never skipped.
 
 use glam::Vec3A;
 

@@ -1,8 +1,8 @@
 //! The objects of a scene as primitives: the upper of the two levels.
 //!
 //! An object takes the ray to its own space, without renormalising, and tests its formula, or searches its
-//! mesh's own structure. A hit counts only within the interval of the object's box in the world,
-//! which is what a structure over the objects prunes by. The list itself prunes nothing, so that
+//! mesh's own structure. A hit counts only by the interval of the object's box in the world, which is
+//! what a structure over the objects prunes by. The list itself prunes nothing, so that
 //! `none` means none.
 
 use std::ops::Range;

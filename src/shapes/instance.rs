@@ -11,7 +11,7 @@ use super::ray_group::RayGroup;
 pub struct Instance<'a> {
     /// What takes rays to its own space, if that is not the world's.
     pub to_object: Option<&'a RayToObject>,
-    /// Its box in the world: a hit counts only within the interval of it.
+    /// Its box in the world: hits count by the interval of it.
     pub bounds: Aabb,
     /// The padding of that box.
     pub padding: Padding,

@@ -11,8 +11,8 @@ mod scenes;
 use glam::Vec3;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use srt::accel::{
-    Accel, Allowed, Answers, BuildConfig, Bvh8, Exhaustive, Indexed, OptionInfo, Quality, Scratch,
-    Tracer,
+    Accel, Allowed, Answers, BuildConfig, BuildOptions, Bvh8, Exhaustive, Indexed, OptionInfo,
+    Quality, Scratch, Tracer,
 };
 use srt::conformance::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
 use srt::conformance::axis_grids::grids_over;
@@ -225,7 +225,10 @@ fn a_tree_too_deep_for_the_stacks_of_the_kernels() {
     // chain. On the way to its end all leaves but one wait on the stack, of which `bvh8`'s kernels
     // have 128 entries. Deeper trees are searched by streams of rays, and one by one.
     let mesh = nasty_meshes::nested();
-    let tree = indexed::<Bvh8>(&mesh, Quality::Fastest);
+    let options = BuildOptions::of::<Bvh8>("builder=ploc").unwrap();
+    let config = BuildConfig { quality: Quality::Fastest, options, ..BuildConfig::default() };
+    let set = TriangleSet::new(&mesh.positions, &mesh.triangles);
+    let tree = Indexed::<_, Bvh8>::build(set, &config);
     let shape = tree.shape();
     println!("{shape:?}");
     assert_eq!(u64::from(shape.depth), shape.nodes, "a chain");
