@@ -1,6 +1,6 @@
 //! Primitives in packs of eight, for kernels that test eight primitives, or sixteen rays, at once.
 
-use crate::math::{Aabb, Lanes, Lanes3, Mask as _, Ray};
+use crate::math::{Lanes, Lanes3, Mask as _, Ray};
 use crate::simd::Simd;
 
 /// Lanes of a pack.
@@ -83,7 +83,7 @@ pub trait Packs: Sync {
     fn flat_hit(&self, pack: usize, lane: usize, ray: &Ray) -> [f32; 3];
 
     /// The primitives' own boxes, lane by lane: low and high corners, the same as those of
-    /// [`Packs::bounds`]. Hits are accepted by either.
+    /// [`Bounded::bounds`](super::Bounded::bounds).
     fn boxes<S: Simd>(&self, pack: usize) -> [Lanes3<S::F8>; 2];
 
     /// Prefetches a pack that will be tested soon.
@@ -91,9 +91,6 @@ pub trait Packs: Sync {
 
     /// Bytes of all packs.
     fn bytes(&self) -> u64;
-
-    /// One primitive's own box.
-    fn bounds(&self, pack: usize, lane: usize) -> Aabb;
 
     /// One primitive's id.
     fn id(&self, pack: usize, lane: usize) -> u32;
@@ -146,10 +143,6 @@ impl Packs for NoPacks {
 
     fn bytes(&self) -> u64 {
         0
-    }
-
-    fn bounds(&self, _: usize, _: usize) -> Aabb {
-        unreachable!("{NONE}")
     }
 
     fn id(&self, _: usize, _: usize) -> u32 {

@@ -8,7 +8,7 @@
 
 use glam::Vec3A;
 
-use super::slab::{finite_reciprocal, slab};
+use super::slab::{finite_reciprocal, meets, slab};
 use super::{Aabb, Lanes, Lanes3, Padding, Ray, within};
 
 /// A ray as boxes see it.
@@ -89,7 +89,7 @@ impl BoxRay {
     #[must_use]
     pub fn begin(&self, aabb: &Aabb, [t_min, t_max]: [f32; 2]) -> Option<f32> {
         let (near, far) = self.interval(aabb);
-        (near <= far && near <= t_max && t_min <= far).then_some(near)
+        meets([near, far], [t_min, t_max]).then_some(near)
     }
 
     /// Whether `t` lies in the interval of the box: all that the own-box rule asks of a hit that is not

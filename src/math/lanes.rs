@@ -169,12 +169,6 @@ vector!(Vec3A, BVec3A, UVec3, [0, 1, 2]);
 /// Three rows: the x, y and z of several vectors.
 pub type Lanes3<L> = [L; 3];
 
-/// a × b, lane by lane.
-#[inline(always)]
-pub fn cross<L: Lanes>(a: Lanes3<L>, b: Lanes3<L>) -> Lanes3<L> {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 /// a · b, lane by lane: x + (y + z) in this order.
 #[inline(always)]
 pub fn dot<L: Lanes>(a: Lanes3<L>, b: Lanes3<L>) -> L {

@@ -19,7 +19,7 @@ pub use hash::Random;
 #[cfg(feature = "program")]
 pub(crate) use hash::{hash_u64, unit_pair};
 pub use hit::{CLOSE, Hit, NONE};
-pub use lanes::{Lanes, Lanes3, Mask, cross, dot, ones, sub, within};
+pub use lanes::{Lanes, Lanes3, Mask, dot, ones, sub, within};
 pub use ray::{Ray, RayError};
 pub use size_range::SizeRange;
 pub use slab::Padding;

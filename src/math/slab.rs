@@ -74,6 +74,14 @@ pub fn slab<L: Lanes>([low, high]: [L; 2], origins: [L; 2], inv_dir: L) -> (L, L
     (a.min(b), a.max(b))
 }
 
+/// Whether intervals of boxes are not empty and reach what is searched: with [`not_before`], the own-box
+/// rule.
+#[inline(always)]
+#[must_use]
+pub fn meets<L: Lanes>([begin, leave]: [L; 2], [t_min, end]: [L; 2]) -> L::Mask {
+    begin.le(leave) & begin.le(end) & t_min.le(leave)
+}
+
 /// `t`, or `begin` if that comes later. A zero that comes from there is positive, so that it does not
 /// matter which of two zeros the smaller or the larger of both was.
 #[inline(always)]

@@ -42,39 +42,24 @@ use super::ray_group::RayGroup;
 use super::sheared_ray::{ShearedRay, TriangleRay, TriangleRays};
 use super::single_shape::{Found, Reach, SingleShape};
 
-/// The ray's hit on the triangle's plane, times the determinant.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ScaledHit<L: Lanes> {
-    /// Whether the ray's line meets the triangle.
-    pub(super) inside: L::Mask,
-    /// Barycentric weight of the second corner, times `det`.
-    pub(super) u: L,
-    /// Barycentric weight of the third corner, times `det`.
-    pub(super) v: L,
-    /// Ray parameter, times `det`.
-    pub(super) t: L,
-    /// The determinant: twice the area in the sheared plane, of either sign. Where it is zero, `t / det`
-    /// is NaN.
-    pub(super) det: L,
-}
-
-/// The formula up to the division, for corners in the order of the ray's axes. Where a number is NaN, so is
+/// The formula up to the division by the determinant, twice the area in the sheared plane and of either
+/// sign, for corners in the order of the ray's axes. Where a number is NaN, so is
 /// `t`, whatever `inside` says. Where it is
 /// [`flat`](PackHits::flat), it takes [`flat_hit`] to know.
 #[inline(always)]
-pub(super) fn scaled_hit<L: Lanes>(ray: &ShearedRay<L>, [a, b, c]: [Lanes3<L>; 3]) -> ScaledHit<L> {
+pub(super) fn scaled_hit<L: Lanes>(ray: &ShearedRay<L>, [a, b, c]: [Lanes3<L>; 3]) -> PackHits<L> {
     let (a, b, c) = (ray.see(a), ray.see(b), ray.see(c));
     // The corners' weights, times the determinant.
     let (of_a, of_b, of_c) = (side(c, b), side(a, c), side(b, a));
     let det = of_a + of_b + of_c;
     let zero = L::splat(0.0);
     let (least, most) = (of_a.min(of_b).min(of_c), of_a.max(of_b).max(of_c));
-    ScaledHit {
+    PackHits {
         inside: zero.le(least) | most.le(zero),
         u: of_b,
         v: of_c,
         t: ray.parameter(of_a * a[2] + (of_b * b[2] + of_c * c[2])),
-        det,
+        scale: det,
     }
 }
 
@@ -103,14 +88,6 @@ pub(super) fn flat_hit(ray: &Ray, corners: [Vec3; 3]) -> [f32; 3] {
     let ahead = (of_a * a[2] + (of_b * b[2] + of_c * c[2])) / det;
     let [ahead, u, v] = [ahead, of_b / det, of_c / det].map(|x| x as f32);
     [ray.parameter(ahead), u, v]
-}
-
-impl<L: Lanes> From<ScaledHit<L>> for PackHits<L> {
-    #[inline(always)]
-    fn from(hit: ScaledHit<L>) -> Self {
-        let ScaledHit { inside, u, v, t, det } = hit;
-        Self { inside, t, u, v, scale: det }
-    }
 }
 
 /// One triangle.
@@ -157,7 +134,7 @@ impl Triangle {
         let of_triangles = TriangleRay::from(ray);
         let sheared = of_triangles.splat::<f32>();
         let corners = self.corners.map(|corner| of_triangles.axes.arrange(&corner.to_array()));
-        let mut hit = PackHits::from(scaled_hit(&sheared, corners));
+        let mut hit = scaled_hit(&sheared, corners);
         if !hit.inside {
             return None;
         }
@@ -212,7 +189,7 @@ impl SingleShape for Triangle {
         let of_triangles = TriangleRays::new(&rays.origin, &rays.dir, &inv_dir);
         let corners = &self.corners;
         let places = of_triangles.arrange(|corner, axis| corners[corner][axis as usize]);
-        let mut hits = PackHits::from(scaled_hit(&of_triangles.sheared, places));
+        let mut hits = scaled_hit(&of_triangles.sheared, places);
         let flat = hits.flat();
         if flat != 0 {
             let rays = rays.rays();
@@ -301,9 +278,9 @@ mod tests {
                 .map(|corner| of_triangles.axes.arrange(&corner.to_array()).map(glam::Vec4::splat));
             let h = scaled_hit(&of_triangles.splat::<glam::Vec4>(), corners);
             let inside = h.inside.bits() >> 3 & 1 != 0;
-            let time = h.t[3] / h.det[3];
+            let time = h.t[3] / h.scale[3];
             let lanes = (inside && (0.0..=f32::MAX).contains(&time))
-                .then(|| (time, h.u[3] / h.det[3], h.v[3] / h.det[3]));
+                .then(|| (time, h.u[3] / h.scale[3], h.v[3] / h.scale[3]));
             let bits = |h: Option<(f32, f32, f32)>| {
                 h.map(|(t, u, v)| [t.to_bits(), u.to_bits(), v.to_bits()])
             };
@@ -355,7 +332,7 @@ mod tests {
             let ray = Ray::new(Vec3::ZERO, Vec3::Z);
             let corners = triangle.corners.map(|corner| corner.to_array());
             let hit = scaled_hit(&TriangleRay::from(&ray).splat::<f32>(), corners);
-            if PackHits::from(hit).flat() == 0 {
+            if hit.flat() == 0 {
                 continue;
             }
             let [a, b, c] = triangle.corners.map(|corner| corner.as_dvec3().truncate());

@@ -251,7 +251,7 @@ impl Packs for TriangleSet {
             load3::<S>(ray.axes.arrange_refs(b)),
             load3::<S>(ray.axes.arrange_refs(c)),
         ];
-        scaled_hit(&ray.splat(), corners).into()
+        scaled_hit(&ray.splat(), corners)
     }
 
     #[inline(always)]
@@ -263,7 +263,7 @@ impl Packs for TriangleSet {
     ) -> PackHits<S::F16> {
         let corners = &self.packs[pack].corners;
         let places = rays.arrange(|corner, axis| corners[corner][axis as usize][lane % PACK]);
-        scaled_hit(&rays.sheared, places).into()
+        scaled_hit(&rays.sheared, places)
     }
 
     fn flat_hit(&self, pack: usize, lane: usize, ray: &Ray) -> [f32; 3] {
@@ -290,11 +290,6 @@ impl Packs for TriangleSet {
 
     fn bytes(&self) -> u64 {
         self.bytes()
-    }
-
-    #[inline(always)]
-    fn bounds(&self, pack: usize, lane: usize) -> Aabb {
-        self.packs[pack].triangle(lane).bounds()
     }
 
     #[inline(always)]
@@ -341,7 +336,7 @@ impl Half<'_> {
     fn candidates(&self, ray: &Ray, of_triangles: &TriangleRay, end: f32, mask: u32) -> Candidates {
         let axes = of_triangles.axes;
         let corners = [self.corner(0, axes), self.corner(1, axes), self.corner(2, axes)];
-        let mut hits = PackHits::from(scaled_hit(&of_triangles.splat(), corners));
+        let mut hits = scaled_hit(&of_triangles.splat(), corners);
         for lane in ones(hits.flat() & mask) {
             let corners = self.pack.triangle(self.first + lane).corners;
             hits.replace(lane, flat_hit(ray, corners));

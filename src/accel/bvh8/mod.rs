@@ -101,7 +101,7 @@ impl Accel for Bvh8 {
         let wide_ray = WideRay::new(ray, box_ray);
         let mut end = ray.t_max;
         let mut stack = SmallVec::<[(Child, f32); USUAL_HEIGHT]>::new();
-        stack.push((Child::node(0), ray.t_min));
+        stack.push((Child::ROOT, ray.t_min));
         while let Some((child, begin)) = stack.pop() {
             if begin > end {
                 continue;
@@ -155,7 +155,7 @@ impl Accel for Bvh8 {
     fn tree(&self) -> Option<Tree> {
         let bounds = self.nodes.first().map_or(Aabb::EMPTY, Node::bounds);
         self.nodes.first()?;
-        Some(Tree::of((Child::node(0), bounds), |&(child, bounds), children| {
+        Some(Tree::of((Child::ROOT, bounds), |&(child, bounds), children| {
             if child.is_leaf() {
                 let first = (child.block() * self.block) as u32;
                 return (bounds, first..first + child.count());

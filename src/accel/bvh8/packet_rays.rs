@@ -4,7 +4,7 @@
 //! below and above, because each of its operations is monotone.
 
 use crate::accel::PACK;
-use crate::math::slab::{crossing, cut_to_finite, not_before};
+use crate::math::slab::{crossing, cut_to_finite, meets, not_before};
 use crate::math::{Lanes, Lanes3, Mask as _, Padding, Ray};
 use crate::simd::{Row, Simd};
 
@@ -209,8 +209,7 @@ impl<S: Simd> Packet<S> {
             .product(boxes.plane(x ^ 1, lane), far, 0)
             .min(self.product(boxes.plane(y ^ 1, lane), far, 1))
             .min(self.product(boxes.plane(z ^ 1, lane), far, 2));
-        let counts = begin.le(leave) & begin.le(end) & self.t_min.le(leave);
-        (not_before(t, begin), counts.bits())
+        (not_before(t, begin), meets([begin, leave], [self.t_min, end]).bits())
     }
 }
 

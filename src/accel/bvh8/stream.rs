@@ -170,7 +170,7 @@ impl<P: Primitives, Q: Query, C: Counters> Stream<'_, P, Q, C> {
         let shift = order_shift(octant as u32);
         stack.clear();
         let root =
-            Entry { child: Child::node(0), start: octant * RAYS, length: count, free: 8 * RAYS };
+            Entry { child: Child::ROOT, start: octant * RAYS, length: count, free: 8 * RAYS };
         if count > 0 {
             stack.push(root);
         }

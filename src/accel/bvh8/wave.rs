@@ -8,7 +8,7 @@
 
 use crate::accel::{PACK, PackHits, Packs, Primitives, Query, Search, search_one};
 use crate::counters::Counters;
-use crate::math::slab::not_before;
+use crate::math::slab::{meets, not_before};
 use crate::math::{BoxRay, Hit, Lanes as _, Mask as _, NONE, Padding, Ray, ones, within};
 use crate::simd::{Row, Simd, splat3};
 
@@ -147,8 +147,8 @@ impl Candidates {
     #[inline(always)]
     fn place<S: Simd, R>(&mut self, slot: &Slot<R>, packs: &impl Packs) {
         let (begin, leave) = slot.box_ray.intervals(packs.boxes::<S>(self.block as usize));
-        let (t_min, end) = (S::F8::splat(slot.t_min), S::F8::splat(slot.end));
-        self.lanes &= (begin.le(leave) & begin.le(end) & t_min.le(leave)).bits();
+        let searched = [S::F8::splat(slot.t_min), S::F8::splat(slot.end)];
+        self.lanes &= meets([begin, leave], searched).bits();
         not_before(S::F8::load(&self.t), begin).store(&mut self.t);
     }
 
