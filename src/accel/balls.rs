@@ -1,13 +1,15 @@
 //! A tree of bounding balls.
 //!
-//! | | |
-//! |---|---|
-//! | idea | As a tree of boxes, but a node has a ball around it: a test without a direction's sign or order, and the same from all sides. |
-//! | paper | Rubin, Whitted: *A 3-dimensional representation for fast rendering of complex scenes*, 1980, for the hierarchy; Weghorst, Hooper, Greenberg: *Improved computational methods for ray tracing*, 1984, for what a volume's form costs and gives |
-//! | build | that of the binary tree (`builder=`), and O(n · depth) for the balls |
-//! | a ray | O(log n) nodes in the mean, two balls each |
-//! | memory | 48 bytes a node: of each child centre, radius and place |
-//! | it wins | seldom: where objects are round. Balls around flat or long parts are much larger than boxes, and overlap |
+//! * *Idea*: As a tree of boxes, but a node has a ball around it: a test without a direction's sign or
+//!   order, and the same from all sides.
+//! * *Paper*: Rubin, Whitted: *A 3-dimensional representation for fast rendering of complex scenes*,
+//!   1980, for the hierarchy; Weghorst, Hooper, Greenberg: *Improved computational methods for ray
+//!   tracing*, 1984, for what a volume's form costs and gives.
+//! * *Build*: that of the binary tree (`builder=`), and O(n · depth) for the balls.
+//! * *A ray*: O(log n) nodes in the mean, two balls each.
+//! * *Memory*: 48 bytes a node: of each child centre, radius and place.
+//! * *It wins*: seldom: where objects are round. Balls around flat or long parts are much larger than
+//!   boxes, and overlap.
 //!
 //! A ball encloses the corners of the *boxes* of the primitives below, and is tested with the padding
 //! (`sphere_ray.rs`): what a primitive's own box accepts is never skipped, so hits are those of all others.
@@ -57,7 +59,7 @@ impl Accel for BallTree {
     const ONE_BY_ONE: bool = true;
 
     /// As measured.
-    const BUILD_BYTES: u64 = 250;
+    const BUILD_BYTES: u64 = 200;
 
     const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
 

@@ -1,13 +1,14 @@
 //! An octree: a cell is cut in its middle along all three axes, and each of the eight parts again.
 //!
-//! | | |
-//! |---|---|
-//! | idea | Space is parted more finely where there is more of it, with no search for planes. |
-//! | paper | Glassner: *Space subdivision for fast ray tracing*, 1984; Revelles, Ureña, Lastra: *An Efficient Parametric Algorithm for Octree Traversal*, 2000, for the search from the top |
-//! | build | O(n · depth) |
-//! | a ray | O(depth) nodes for each cell on its way; of a node three planes are measured |
-//! | memory | 16 bytes a cell; 40 bytes a reference to a triangle, which is a copy; references are limited by the option `references` |
-//! | it wins | over a grid, where primitives lie in clusters. It loses to a kd-tree, whose planes go where they pay |
+//! * *Idea*: Space is parted more finely where there is more of it, with no search for planes.
+//! * *Paper*: Glassner: *Space subdivision for fast ray tracing*, 1984; Revelles, Ureña, Lastra: *An
+//!   Efficient Parametric Algorithm for Octree Traversal*, 2000, for the search from the top.
+//! * *Build*: O(n · depth).
+//! * *A ray*: O(depth) nodes for each cell on its way; of a node three planes are measured.
+//! * *Memory*: 16 bytes a cell; 40 bytes a reference to a triangle, which is a copy; references are
+//!   limited by the option `references`.
+//! * *It wins*: over a grid, where primitives lie in clusters. It loses to a kd-tree, whose planes go
+//!   where they pay.
 //!
 //! The rules for cells at [`Accel`] make it return the hits of all others: a primitive is listed in each
 //! cell that its *box* touches, planes are measured with the padding, and the search ends by the
@@ -74,8 +75,8 @@ const SIZE: OptionInfo = OptionInfo {
 impl Accel for Octree {
     const ONE_BY_ONE: bool = true;
 
-    /// As measured.
-    const BUILD_BYTES: u64 = 400;
+    /// As measured over closed meshes, copies included.
+    const BUILD_BYTES: u64 = 220;
 
     const OPTIONS: &'static [OptionInfo] = &[REFERENCES, SIZE];
 
@@ -205,11 +206,11 @@ impl Node {
 /// Part `place` of a cell: its bit of an axis is set above the plane.
 fn part(cell: &Aabb, planes: [f32; 3], place: u32) -> Aabb {
     let mut part = *cell;
-    for axis in 0..3 {
+    for (axis, plane) in planes.into_iter().enumerate() {
         if place >> axis & 1 == 0 {
-            part.max[axis] = planes[axis];
+            part.max[axis] = plane;
         } else {
-            part.min[axis] = planes[axis];
+            part.min[axis] = plane;
         }
     }
     part

@@ -3,13 +3,13 @@
 //!
 //! A builder knows boxes and no layout, and a layout takes the tree of any builder:
 //!
-//! | option | file | tree |
-//! |---|---|---|
-//! | `sah` | `binned.rs` | from the top by the surface area heuristic in bins, more or less closely (`terms.rs`) |
-//! | `ploc` | obvhs | from the bottom by clustering: Meister, Bittner: *Parallel Locally-Ordered Clustering for Bounding Volume Hierarchy Construction*, 2018 |
-//! | `sweep` | `all_places.rs` | from the top by the surface area heuristic, with all places weighed |
-//! | `median` | `median.rs` | from the top, halved by number |
-//! | `lbvh` | `lbvh.rs` | along Morton's curve |
+//! * `sah` (`binned.rs`): from the top by the surface area heuristic in bins, more or less closely
+//!   (`terms.rs`);
+//! * `ploc` (obvhs): from the bottom by clustering (Meister, Bittner: *Parallel Locally-Ordered
+//!   Clustering for Bounding Volume Hierarchy Construction*, 2018);
+//! * `sweep` (`all_places.rs`): from the top by the surface area heuristic, with all places weighed;
+//! * `median` (`median.rs`): from the top, halved by number;
+//! * `lbvh` (`lbvh.rs`): along Morton's curve.
 //!
 //! Each can be improved by obvhs's reinsertion (Meister, Bittner: *Parallel Reinsertion for Bounding Volume
 //! Hierarchy Optimization*, 2018), as the quality says. None depends on the number of threads.

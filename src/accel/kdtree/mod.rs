@@ -1,13 +1,18 @@
 //! A kd-tree: space is cut in two by a plane along an axis, and each half again.
 //!
-//! | | |
-//! |---|---|
-//! | idea | A ray passes the cells of a partition one after the other, so the first cells with a hit end the search. Planes lie where a ray is expected to cost the least, by the surface area heuristic (MacDonald, Booth: *Heuristics for ray tracing using space subdivision*, 1990). |
-//! | paper | Wald, Havran: *On building fast kd-Trees for Ray Tracing, and on doing that in O(N log N)*, 2006; Havran: *Heuristic Ray Shooting Algorithms*, 2000, for the search |
-//! | build | O(n log n): the sides of boxes are sorted once, and the lists are parted with the cells (`build.rs`) |
-//! | a ray | O(log n) cells in the mean; of a node one plane is measured, of a box three times two |
-//! | memory | 8 bytes a node; 40 bytes a reference to a triangle, which is a copy; references are limited by the option `references` |
-//! | it wins | where large empty parts lie between, and rays are to stop early. It loses to trees of boxes where boxes overlap much, since primitives have references in many cells |
+//! * *Idea*: A ray passes the cells of a partition one after the other, so the first cells with a hit
+//!   end the search. Planes lie where a ray is expected to cost the least, by the surface area
+//!   heuristic (MacDonald, Booth: *Heuristics for ray tracing using space subdivision*, 1990).
+//! * *Paper*: Wald, Havran: *On building fast kd-Trees for Ray Tracing, and on doing that in O(N log
+//!   N)*, 2006; Havran: *Heuristic Ray Shooting Algorithms*, 2000, for the search.
+//! * *Build*: O(n log n): the sides of boxes are sorted once, and the lists are parted with the cells
+//!   (`build.rs`).
+//! * *A ray*: O(log n) cells in the mean; of a node one plane is measured, of a box three times two.
+//! * *Memory*: 8 bytes a node; 40 bytes a reference to a triangle, which is a copy; references are
+//!   limited by the option `references`.
+//! * *It wins*: where large empty parts lie between, and rays are to stop early: on closed scans it is
+//!   as fast as `bvh` ray by ray. It loses where boxes overlap much, since primitives have references
+//!   in many cells, and its build takes four times as long.
 //!
 //! The rules for cells at [`Accel`] make it return the hits of all others: a primitive is listed in each
 //! cell that its *box* touches, planes are measured with the padding, and the search ends by the
@@ -73,8 +78,8 @@ const BONUS: OptionInfo = OptionInfo {
 impl Accel for KdTree {
     const ONE_BY_ONE: bool = true;
 
-    /// As measured.
-    const BUILD_BYTES: u64 = 500;
+    /// As measured over closed meshes, copies included.
+    const BUILD_BYTES: u64 = 150;
 
     const OPTIONS: &'static [OptionInfo] = &[REFERENCES, BONUS];
 
