@@ -23,8 +23,9 @@ use rayon::prelude::*;
 use smallvec::SmallVec;
 
 use crate::counters::Counters;
-use crate::math::{BoxRay, NONE, Ray};
+use crate::math::{Aabb, BoxRay, NONE, Ray};
 
+use super::build::boxes_of;
 use super::builder::Builder;
 use super::sphere_ray::SphereRay;
 use super::{Accel, Bounded, Build, Built, OptionInfo, Order, StructureShape};
@@ -73,7 +74,7 @@ impl Accel for BallTree {
         let mut tree = builder.tree(primitives, *grain, 1, config.quality, stages);
         let cost = config.quality.parameters().collapse_traversal_cost;
         stages.time("collapse", || collapse(&mut tree, most, cost));
-        stages.time("balls", || lay_out(&tree, primitives, *grain))
+        stages.time("balls", || lay_out(&tree, &boxes_of(primitives), *grain))
     }
 
     #[inline]
@@ -137,12 +138,12 @@ impl Accel for BallTree {
 
 impl Child {
     /// With the ball about the middle of a node's box around the boxes of some primitives.
-    fn around(self, node: &Bvh2Node, primitives: &impl Bounded, some: &[u32]) -> Self {
+    fn around(self, node: &Bvh2Node, boxes: &[Aabb], some: &[u32]) -> Self {
         let center = Vec3::from(0.5 * node.aabb().min + 0.5 * node.aabb().max);
         let middle = center.as_dvec3();
         let square = |&index: &u32| {
             // Of a box the corner that is farther along each axis.
-            let bounds = primitives.bounds(index);
+            let bounds = boxes[index as usize];
             let [low, high] = [bounds.min, bounds.max].map(|corner| Vec3::from(corner).as_dvec3());
             (low - middle).abs().max((high - middle).abs()).length_squared()
         };
@@ -171,7 +172,7 @@ enum Step<'a> {
 
 /// Puts balls in the place of boxes, in the order in which a walk meets them, and moves every leaf's range
 /// to a multiple of `grain`.
-fn lay_out(tree: &Bvh2, primitives: &impl Bounded, grain: u32) -> Built<BallTree> {
+fn lay_out(tree: &Bvh2, boxes: &[Aabb], grain: u32) -> Built<BallTree> {
     let mut nodes: Vec<[Child; 2]> = Vec::with_capacity(tree.nodes.len() / 2);
     let mut order: Vec<u32> = Vec::with_capacity(tree.primitive_indices.len());
     let mut root = Child::default();
@@ -197,7 +198,7 @@ fn lay_out(tree: &Bvh2, primitives: &impl Bounded, grain: u32) -> Built<BallTree
                 open.extend([below(1), below(0)]);
             }
             Step::Leave(from, parent, child, begin) => {
-                let child = child.around(from, primitives, &order[begin..]);
+                let child = child.around(from, boxes, &order[begin..]);
                 match parent {
                     Some((node, side)) => nodes[node][side] = child,
                     None => root = child,
@@ -216,7 +217,7 @@ mod tests {
     use super::super::builder::tests::Boxes;
     use super::super::{BuildConfig, BuildStages};
     use super::*;
-    use crate::math::{Aabb, Random};
+    use crate::math::Random;
 
     #[test]
     fn balls_hold_the_corners_of_all_boxes_below() {

@@ -20,11 +20,10 @@
 
 use std::ops::{ControlFlow, Range};
 
-use rayon::prelude::*;
-
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Ray};
 
+use super::build::boxes_of;
 use super::cells::{Boxes, CellLists, ListBuilder, Mailbox, PlaneRay, Raster, walk};
 use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape};
 
@@ -78,29 +77,8 @@ impl Accel for Grid {
     const OPTIONS: &'static [OptionInfo] = &[DENSITY];
 
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
-        let Build { config, grain, stages } = build;
-        let count = primitives.count();
-        if count == 0 {
-            let (lists, order) = ListBuilder::new(*grain, 0).finish();
-            return Built { accel: Self { raster: None, cells: Vec::new(), lists }, order };
-        }
-        let density = config.options.number(&DENSITY).unwrap_or(2);
-        let boxes: Vec<Aabb> = stages.time("boxes", || {
-            (0..count).into_par_iter().map(|index| primitives.bounds(index)).collect()
-        });
-        let all = Boxes { boxes: &boxes, ids: None };
-        let raster = stages.time("resolution", || {
-            let cells = (f64::from(density) * f64::from(count)).min(MOST_CELLS);
-            all.raster(&primitives.total_bounds(), cells, MOST_REFERENCES)
-        });
-        let (cells, lists) = stages.time("lists", || {
-            let filed = all.file(&raster);
-            let mut lists = ListBuilder::new(*grain, filed.references());
-            let cells = filed.lists().map(|ids| Cell::new(&lists.add(ids)));
-            (cells.collect(), lists)
-        });
-        let (lists, order) = lists.finish();
-        Built { accel: Self { raster: Some(raster), cells, lists }, order }
+        let boxes = build.stages.time("boxes", || boxes_of(primitives));
+        Self::over(&boxes, build)
     }
 
     #[inline]
@@ -133,6 +111,29 @@ impl Accel for Grid {
         let occupied = self.cells.iter().filter(|cell| cell.count > 0);
         occupied.for_each(|cell| shape.add_leaf(cell.count, 1));
         shape
+    }
+}
+
+impl Grid {
+    fn over(boxes: &[Aabb], build: &mut Build<'_>) -> Built<Self> {
+        let Build { config, grain, stages } = build;
+        let mut lists = ListBuilder::new(*grain);
+        if boxes.is_empty() {
+            let (lists, order) = lists.finish();
+            return Built { accel: Self { raster: None, cells: Vec::new(), lists }, order };
+        }
+        let density = config.options.number(&DENSITY).unwrap_or(2);
+        let all = Boxes { boxes, ids: None };
+        let raster = stages.time("resolution", || {
+            let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
+            let cells = (f64::from(density) * boxes.len() as f64).min(MOST_CELLS);
+            all.raster(&bounds, cells, MOST_REFERENCES)
+        });
+        let cells = stages.time("lists", || {
+            all.file(&raster).lists().map(|ids| Cell::new(&lists.add(ids))).collect()
+        });
+        let (lists, order) = lists.finish();
+        Built { accel: Self { raster: Some(raster), cells, lists }, order }
     }
 }
 

@@ -24,6 +24,7 @@ use rayon::prelude::*;
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Ray};
 
+use super::build::boxes_of;
 use super::cells::{Boxes, CellLists, Filed, ListBuilder, Mailbox, PlaneRay, Raster, walk};
 use super::grid::Cell;
 use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape};
@@ -75,49 +76,8 @@ impl Accel for TwoLevelGrid {
     const OPTIONS: &'static [OptionInfo] = &[DENSITY];
 
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
-        let Build { config, grain, stages } = build;
-        let count = primitives.count();
-        if count == 0 {
-            let (lists, order) = ListBuilder::new(*grain, 0).finish();
-            let accel = Self { raster: None, coarse: Vec::new(), cells: Vec::new(), lists };
-            return Built { accel, order };
-        }
-        let density = f64::from(config.options.number(&DENSITY).unwrap_or(2));
-        let boxes: Vec<Aabb> = stages.time("boxes", || {
-            (0..count).into_par_iter().map(|index| primitives.bounds(index)).collect()
-        });
-        let all = Boxes { boxes: &boxes, ids: None };
-        let (raster, filed) = stages.time("coarse", || {
-            let cells = (COARSE * f64::from(count)).min(MOST_CELLS);
-            let raster = all.raster(&primitives.total_bounds(), cells, MOST_REFERENCES);
-            (raster, all.file(&raster))
-        });
-        let parts: Vec<Option<(Raster, Filed)>> = stages.time("fine", || {
-            let parted = |number: usize| {
-                let own = Boxes { boxes: &boxes, ids: Some(filed.list(number)) };
-                (own.count() > 0).then(|| {
-                    let cells = density * own.count() as f64;
-                    let cells = own.raster(&raster.cell(number), cells, MOST_REFERENCES);
-                    let cells = cells.of_at_most(MOST_PARTS);
-                    (cells, own.file(&cells))
-                })
-            };
-            (0..raster.count()).into_par_iter().map(parted).collect()
-        });
-        let mut fine = Vec::new();
-        let mut lists = ListBuilder::new(*grain, filed.references());
-        let coarse = stages.time("lists", || {
-            let place = |part: &Option<(Raster, Filed)>| {
-                let first = fine.len() as u32;
-                let Some((raster, filed)) = part else { return Coarse { first, parts: [0; 3] } };
-                fine.extend(filed.lists().map(|ids| Cell::new(&lists.add(ids))));
-                Coarse { first, parts: raster.0.map(|axis| axis.cells as u16) }
-            };
-            parts.iter().map(place).collect()
-        });
-        fine.shrink_to_fit();
-        let (lists, order) = lists.finish();
-        Built { accel: Self { raster: Some(raster), coarse, cells: fine, lists }, order }
+        let boxes = build.stages.time("boxes", || boxes_of(primitives));
+        Self::over(&boxes, build)
     }
 
     #[inline]
@@ -160,6 +120,51 @@ impl Accel for TwoLevelGrid {
         let sizes = self.cells.iter().map(|cell| cell.list().len() as u32);
         sizes.filter(|&size| size > 0).for_each(|size| shape.add_leaf(size, 2));
         shape
+    }
+}
+
+impl TwoLevelGrid {
+    fn over(boxes: &[Aabb], build: &mut Build<'_>) -> Built<Self> {
+        let Build { config, grain, stages } = build;
+        let mut lists = ListBuilder::new(*grain);
+        if boxes.is_empty() {
+            let (lists, order) = lists.finish();
+            let accel = Self { raster: None, coarse: Vec::new(), cells: Vec::new(), lists };
+            return Built { accel, order };
+        }
+        let density = f64::from(config.options.number(&DENSITY).unwrap_or(2));
+        let all = Boxes { boxes, ids: None };
+        let (raster, filed) = stages.time("coarse", || {
+            let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
+            let cells = (COARSE * boxes.len() as f64).min(MOST_CELLS);
+            let raster = all.raster(&bounds, cells, MOST_REFERENCES);
+            (raster, all.file(&raster))
+        });
+        let parts: Vec<Option<(Raster, Filed)>> = stages.time("fine", || {
+            let parted = |number: usize| {
+                let own = Boxes { boxes, ids: Some(filed.list(number)) };
+                (own.count() > 0).then(|| {
+                    let cells = density * own.count() as f64;
+                    let cells = own.raster(&raster.cell(number), cells, MOST_REFERENCES);
+                    let cells = cells.of_at_most(MOST_PARTS);
+                    (cells, own.file(&cells))
+                })
+            };
+            (0..raster.count()).into_par_iter().map(parted).collect()
+        });
+        let mut cells = Vec::new();
+        let coarse = stages.time("lists", || {
+            let place = |part: &Option<(Raster, Filed)>| {
+                let first = cells.len() as u32;
+                let Some((raster, filed)) = part else { return Coarse { first, parts: [0; 3] } };
+                cells.extend(filed.lists().map(|ids| Cell::new(&lists.add(ids))));
+                Coarse { first, parts: raster.0.map(|axis| axis.cells as u16) }
+            };
+            parts.iter().map(place).collect()
+        });
+        cells.shrink_to_fit();
+        let (lists, order) = lists.finish();
+        Built { accel: Self { raster: Some(raster), coarse, cells, lists }, order }
     }
 }
 

@@ -22,6 +22,7 @@ use smallvec::SmallVec;
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Ray};
 
+use super::build::boxes_of;
 use super::cells::{CellLists, ListBuilder, Mailbox, PlaneRay};
 use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape, Tree};
 
@@ -81,29 +82,8 @@ impl Accel for Octree {
     const OPTIONS: &'static [OptionInfo] = &[REFERENCES, SIZE];
 
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
-        let Build { config, grain, stages } = build;
-        let count = primitives.count();
-        let boxes: Vec<Aabb> = stages.time("boxes", || {
-            (0..count).into_par_iter().map(|index| primitives.bounds(index)).collect()
-        });
-        let bounds = primitives.total_bounds();
-        let references = config.options.number(&REFERENCES).unwrap_or(8);
-        let size = config.options.number(&SIZE).unwrap_or(16) as usize;
-        let builder = Builder { boxes: &boxes, size };
-        let root = stages.time("tree", || {
-            let budget = u64::from(references - 1) * u64::from(count);
-            (count > 0).then(|| builder.cut(bounds, (0..count).collect(), budget, DEPTH))
-        });
-        stages.time("layout", || {
-            let (mut nodes, mut lists) = (Vec::new(), ListBuilder::new(*grain, 0));
-            if let Some(root) = &root {
-                nodes.push(Node::leaf(&(0..0)));
-                lay_out(root, 0, &mut nodes, &mut lists);
-            }
-            nodes.shrink_to_fit();
-            let (lists, order) = lists.finish();
-            Built { accel: Self { bounds, nodes, lists }, order }
-        })
+        let boxes = build.stages.time("boxes", || boxes_of(primitives));
+        Self::over(&boxes, build)
     }
 
     #[inline]
@@ -176,6 +156,29 @@ impl Accel for Octree {
 }
 
 impl Octree {
+    fn over(boxes: &[Aabb], build: &mut Build<'_>) -> Built<Self> {
+        let Build { config, grain, stages } = build;
+        let count = boxes.len() as u32;
+        let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
+        let references = config.options.number(&REFERENCES).unwrap_or(8);
+        let size = config.options.number(&SIZE).unwrap_or(16) as usize;
+        let builder = Builder { boxes, size };
+        let root = stages.time("tree", || {
+            let budget = u64::from(references - 1) * u64::from(count);
+            (count > 0).then(|| builder.cut(bounds, (0..count).collect(), budget, DEPTH))
+        });
+        stages.time("layout", || {
+            let (mut nodes, mut lists) = (Vec::new(), ListBuilder::new(*grain));
+            if let Some(root) = &root {
+                nodes.push(Node::leaf(&(0..0)));
+                lay_out(root, 0, &mut nodes, &mut lists);
+            }
+            nodes.shrink_to_fit();
+            let (lists, order) = lists.finish();
+            Built { accel: Self { bounds, nodes, lists }, order }
+        })
+    }
+
     /// All cells with their lists.
     fn cells(&self) -> Option<Tree> {
         self.nodes.first()?;

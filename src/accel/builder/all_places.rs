@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use super::super::{Bounded, BuildStages};
 use super::branch::Branch;
 use super::reference::{Corners, Reference};
-use super::terms::Terms;
+use super::terms::{PACK_COST, Terms};
 
 /// From this depth on primitives are halved by number: no tree is deeper than this and 32 more.
 const USUAL_DEPTH: u32 = 96;
@@ -25,11 +25,15 @@ const PARALLEL: usize = 1 << 12;
 
 /// Builds a tree over at least one primitive.
 pub(super) fn build(primitives: &impl Bounded, terms: Terms, stages: &mut BuildStages) -> Bvh2 {
-    let count = primitives.count();
     let references: Vec<Reference> = stages.time("boxes", || {
-        let each = (0..count).into_par_iter();
+        let each = (0..primitives.count()).into_par_iter();
         each.map(|index| Reference::new(index, &primitives.bounds(index))).collect()
     });
+    tree(&references, terms, stages)
+}
+
+fn tree(references: &[Reference], terms: Terms, stages: &mut BuildStages) -> Bvh2 {
+    let count = references.len() as u32;
     let mut lists: [Vec<u32>; 3] = stages.time("sort", || {
         std::array::from_fn(|axis| {
             let center = |&index: &u32| references[index as usize].center()[axis];
@@ -143,15 +147,18 @@ impl Sweep {
                 }
             }
         }
-        let is_leaf = count <= self.terms.most && bounds.half_area() <= least;
+        let as_leaf = bounds.half_area() * (PACK_COST + count as f32);
+        let is_leaf = count <= self.terms.most && as_leaf <= least;
         (bounds, (!is_leaf).then_some(best))
     }
 
-    /// The area of a box times the packs that so many primitives fill.
+    /// The area of a box times the cost of so many primitives: that of the packs that they fill, and of
+    /// each of them.
     #[inline(always)]
     fn cost(&self, bounds: &Corners, count: usize) -> f32 {
         let bits = self.terms.pack_bits;
-        bounds.half_area() * ((count + (1 << bits) - 1) >> bits) as f32
+        let packs = (count + (1 << bits) - 1) >> bits;
+        bounds.half_area() * (PACK_COST * packs as f32 + count as f32)
     }
 
     /// The primitives before a place, and those behind it.

@@ -83,11 +83,6 @@ impl Boxes<'_> {
 }
 
 impl Filed {
-    /// How many references there are.
-    pub(in super::super) fn references(&self) -> usize {
-        self.ids.len()
-    }
-
     /// The lists, cell by cell.
     pub(in super::super) fn lists(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         self.begins.windows(2).map(|ends| &self.ids[ends[0] as usize..ends[1] as usize])
@@ -123,7 +118,6 @@ mod tests {
                 let expected: Vec<u32> = (0..200).filter(is_meant).filter(touches).collect();
                 assert_eq!((list, filed.list(cell)), (&expected[..], &expected[..]));
             }
-            assert_eq!(filed.references(), filed.lists().map(<[u32]>::len).sum::<usize>());
         }
     }
 

@@ -70,9 +70,9 @@ pub(in super::super) struct ListBuilder {
 }
 
 impl ListBuilder {
-    /// For primitives that are tested so many at once, and for about so many references.
-    pub(in super::super) fn new(grain: u32, references: usize) -> Self {
-        Self { grain: grain as usize, slots: Vec::with_capacity(references) }
+    /// For primitives that are tested so many at once.
+    pub(in super::super) fn new(grain: u32) -> Self {
+        Self { grain: grain as usize, slots: Vec::new() }
     }
 
     /// Appends the list of a cell.
@@ -101,7 +101,7 @@ mod tests {
 
     /// The ranges that are offered of two lists with a primitive in common.
     fn offered(grain: u32) -> Vec<Range<u32>> {
-        let mut builder = ListBuilder::new(grain, 6);
+        let mut builder = ListBuilder::new(grain);
         let lists = [&[7, 2, 9][..], &[], &[2, 5]].map(|ids| builder.add(ids));
         let (all, order) = builder.finish();
         assert_eq!(all.are_slots(), order.is_some());

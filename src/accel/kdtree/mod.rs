@@ -6,7 +6,7 @@
 //! * *Paper*: Wald, Havran: *On building fast kd-Trees for Ray Tracing, and on doing that in O(N log
 //!   N)*, 2006; Havran: *Heuristic Ray Shooting Algorithms*, 2000, for the search.
 //! * *Build*: O(n log n): the sides of boxes are sorted once, and the lists are parted with the cells
-//!   (`build.rs`).
+//!   (`cut.rs`).
 //! * *A ray*: O(log n) cells in the mean; of a node one plane is measured, of a box three times two.
 //! * *Memory*: 8 bytes a node; 40 bytes a reference to a triangle, which is a copy; references are
 //!   limited by the option `references`.
@@ -18,7 +18,7 @@
 //! cell that its *box* touches, planes are measured with the padding, and the search ends by the
 //! intervals of cells alone.
 
-mod build;
+mod cut;
 mod sides;
 
 use std::ops::{ControlFlow, Range};
@@ -28,7 +28,8 @@ use smallvec::SmallVec;
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Ray};
 
-use self::build::{Cut, Limits};
+use self::cut::{Cut, Limits};
+use super::build::boxes_of;
 use super::cells::{CellLists, ListBuilder, Mailbox, PlaneRay};
 use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape, Tree};
 
@@ -90,17 +91,9 @@ impl Accel for KdTree {
             bonus: config.options.number(&BONUS).unwrap_or(20),
             grain: *grain,
         };
-        let bounds = primitives.total_bounds();
-        let root = build::cut(primitives, bounds, limits, stages);
-        stages.time("layout", || {
-            let (mut nodes, mut lists) = (Vec::new(), ListBuilder::new(*grain, 0));
-            if let Some(root) = &root {
-                lay_out(root, &mut nodes, &mut lists);
-            }
-            nodes.shrink_to_fit();
-            let (lists, order) = lists.finish();
-            Built { accel: Self { bounds, nodes, lists }, order }
-        })
+        let boxes = stages.time("boxes", || boxes_of(primitives));
+        let root = cut::cut(boxes, limits, stages);
+        stages.time("layout", || lay_out(root, *grain))
     }
 
     #[inline]
@@ -179,7 +172,7 @@ impl KdTree {
         Some(Tree::of((0, self.bounds), |&(at, cell), children| {
             let node = self.nodes[at as usize];
             let Some(axis) = node.axis() else { return (cell, node.list()) };
-            let [below, above] = build::halves(&cell, axis, node.plane);
+            let [below, above] = cut::halves(&cell, axis, node.plane);
             children.extend([(at + 1, below), (node.word >> 2, above)]);
             (cell, 0..0)
         }))
@@ -205,17 +198,30 @@ impl Node {
     }
 }
 
+/// Puts all cells behind each other.
+fn lay_out(root: Option<(Aabb, Cut)>, grain: u32) -> Built<KdTree> {
+    let (mut nodes, mut lists) = (Vec::new(), ListBuilder::new(grain));
+    let mut bounds = Aabb::EMPTY;
+    if let Some((around, root)) = root {
+        bounds = around;
+        append(&root, &mut nodes, &mut lists);
+    }
+    nodes.shrink_to_fit();
+    let (lists, order) = lists.finish();
+    Built { accel: KdTree { bounds, nodes, lists }, order }
+}
+
 /// Appends a cell and those within, the lower half first.
-fn lay_out(cut: &Cut, nodes: &mut Vec<Node>, lists: &mut ListBuilder) {
+fn append(cut: &Cut, nodes: &mut Vec<Node>, lists: &mut ListBuilder) {
     let at = nodes.len();
     assert!(at < MOST_NODES, "a kd-tree has at most 2³⁰ cells");
     match cut {
         Cut::Leaf(ids) => nodes.push(Node::leaf(&lists.add(ids))),
         Cut::Plane { axis, plane, halves } => {
             nodes.push(Node { plane: *plane, word: 0 });
-            lay_out(&halves[0], nodes, lists);
+            append(&halves[0], nodes, lists);
             nodes[at].word = (nodes.len() as u32) << 2 | *axis as u32;
-            lay_out(&halves[1], nodes, lists);
+            append(&halves[1], nodes, lists);
         }
     }
 }

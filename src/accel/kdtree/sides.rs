@@ -10,8 +10,7 @@
 
 use rayon::prelude::*;
 
-use super::super::Bounded;
-use crate::math::NONE;
+use crate::math::{Aabb, NONE};
 
 /// The lists of so many boxes, or more, are parted by several threads.
 const PARALLEL: usize = 1 << 12;
@@ -36,18 +35,13 @@ pub(super) struct Sides {
 
 impl Sides {
     /// Those of all boxes.
-    pub(super) fn of(primitives: &impl Bounded) -> Self {
-        let ids: Vec<u32> = (0..primitives.count()).collect();
+    pub(super) fn of(boxes: &[Aabb]) -> Self {
+        let ids: Vec<u32> = (0..boxes.len() as u32).collect();
         let axes = std::array::from_fn(|axis| {
-            let lists: Vec<[Side; 2]> = ids
-                .par_iter()
-                .map(|&of| {
-                    let bounds = primitives.bounds(of);
-                    [bounds.min[axis], bounds.max[axis]].map(|at| Side { at, of })
-                })
-                .collect();
             std::array::from_fn(|end| {
-                let mut sides: Vec<Side> = lists.iter().map(|pair| pair[end]).collect();
+                let corners = boxes.iter().map(|bounds| [bounds.min, bounds.max][end][axis]);
+                let mut sides: Vec<Side> =
+                    corners.zip(0..).map(|(at, of)| Side { at, of }).collect();
                 sides.par_sort_unstable_by(|a, b| a.at.total_cmp(&b.at).then(a.of.cmp(&b.of)));
                 sides
             })
@@ -113,9 +107,8 @@ fn kept(sides: &[Side], places: &[u32], count: usize) -> Vec<Side> {
 mod tests {
     use glam::Vec3A;
 
-    use super::super::super::builder::tests::Boxes;
     use super::*;
-    use crate::math::{Aabb, Random};
+    use crate::math::Random;
 
     #[test]
     fn a_half_has_the_boxes_that_touch_it_in_the_order_of_their_sides() {
@@ -123,7 +116,7 @@ mod tests {
         let mut point = || Vec3A::from_array(std::array::from_fn(|_| random.below(9) as f32));
         let boxes: Vec<Aabb> = (0..300).map(|_| Aabb::of_points([point(), point()])).collect();
         for (axis, plane) in [(0, 4.0), (1, 0.0), (2, 8.0), (0, 3.5)] {
-            let halves = Sides::of(&Boxes(boxes.clone())).cut(axis, plane);
+            let halves = Sides::of(&boxes).cut(axis, plane);
             for (above, half) in halves.iter().enumerate() {
                 let touches = |&id: &u32| {
                     let bounds = boxes[id as usize];

@@ -7,7 +7,7 @@
 
 use crate::math::Aabb;
 
-use super::super::{Bounded, BuildStages};
+use super::super::BuildStages;
 use super::sides::{Side, Sides};
 
 /// The cost of a step to one half of a cell.
@@ -45,23 +45,24 @@ pub(super) enum Cut {
     },
 }
 
-/// Cuts the box around all primitives; nothing without primitives.
+/// Cuts the box around all boxes, which it returns; nothing without boxes.
 pub(super) fn cut(
-    primitives: &impl Bounded,
-    bounds: Aabb,
+    boxes: Vec<Aabb>,
     limits: Limits,
     stages: &mut BuildStages,
-) -> Option<Cut> {
-    let count = primitives.count();
+) -> Option<(Aabb, Cut)> {
+    let count = boxes.len() as u32;
     if count == 0 {
         return None;
     }
-    let sides = stages.time("sides", || Sides::of(primitives));
+    let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
+    let sides = stages.time("sides", || Sides::of(&boxes));
+    drop(boxes);
     // Havran: deeper cells are seldom worth it, and of those that rounding makes no end would be.
     let depth = (8.0 + 1.3 * f64::from(count).log2()) as u32;
     let budget = u64::from(limits.references - 1) * u64::from(count);
     let cell = Cell { bounds, depth, budget };
-    Some(stages.time("tree", || cell.cut(sides, &limits)))
+    Some((bounds, stages.time("tree", || cell.cut(sides, &limits))))
 }
 
 /// The halves of a cell below and above a plane.
