@@ -29,7 +29,7 @@ use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape};
 
 /// A primitive has at most so many references in the mean: where large ones would have more, there are
 /// fewer cells.
-const MOST_REFERENCES: u64 = 16;
+const MOST_OF_ONE: u64 = 16;
 
 /// The most cells of all.
 const MOST_CELLS: f64 = (1 << 30) as f64;
@@ -127,7 +127,7 @@ impl Grid {
         let raster = stages.time("resolution", || {
             let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
             let cells = (f64::from(density) * boxes.len() as f64).min(MOST_CELLS);
-            all.raster(&bounds, cells, MOST_REFERENCES)
+            all.raster(&bounds, cells, MOST_OF_ONE)
         });
         let cells = stages.time("lists", || {
             all.file(&raster).lists().map(|ids| Cell::new(&lists.add(ids))).collect()
@@ -177,7 +177,7 @@ mod tests {
     fn large_primitives_have_no_more_references_than_the_limit() {
         let grid = grid(&boxes(2_000, 9.0), "density=64");
         let references: u64 = grid.cells.iter().map(|cell| u64::from(cell.count)).sum();
-        assert!(references <= MOST_REFERENCES * 2_000, "{references}");
+        assert!(references <= MOST_OF_ONE * 2_000, "{references}");
         assert!(grid.cells.len() > 1);
     }
 }

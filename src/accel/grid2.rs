@@ -36,7 +36,7 @@ const COARSE: f64 = 0.125;
 const MOST_CELLS: f64 = (1 << 28) as f64;
 
 /// On either level a primitive has at most so many references in the mean.
-const MOST_REFERENCES: u64 = 4;
+const MOST_OF_ONE: u64 = 4;
 
 /// The most cells of a coarse one along an axis.
 const MOST_PARTS: u32 = 255;
@@ -137,7 +137,7 @@ impl TwoLevelGrid {
         let (raster, filed) = stages.time("coarse", || {
             let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
             let cells = (COARSE * boxes.len() as f64).min(MOST_CELLS);
-            let raster = all.raster(&bounds, cells, MOST_REFERENCES);
+            let raster = all.raster(&bounds, cells, MOST_OF_ONE);
             (raster, all.file(&raster))
         });
         let parts: Vec<Option<(Raster, Filed)>> = stages.time("fine", || {
@@ -145,7 +145,7 @@ impl TwoLevelGrid {
                 let own = Boxes { boxes, ids: Some(filed.list(number)) };
                 (own.count() > 0).then(|| {
                     let cells = density * own.count() as f64;
-                    let cells = own.raster(&raster.cell(number), cells, MOST_REFERENCES);
+                    let cells = own.raster(&raster.cell(number), cells, MOST_OF_ONE);
                     let cells = cells.of_at_most(MOST_PARTS);
                     (cells, own.file(&cells))
                 })

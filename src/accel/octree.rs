@@ -23,7 +23,7 @@ use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Ray};
 
 use super::build::boxes_of;
-use super::cells::{CellLists, ListBuilder, Mailbox, PlaneRay};
+use super::cells::{CellLists, ListBuilder, MOST_REFERENCES, Mailbox, PlaneRay};
 use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape, Tree};
 
 /// The most steps from the root to a leaf.
@@ -165,6 +165,7 @@ impl Octree {
         let builder = Builder { boxes, size };
         let root = stages.time("tree", || {
             let budget = u64::from(references - 1) * u64::from(count);
+            let budget = budget.min(MOST_REFERENCES.saturating_sub(count.into()));
             (count > 0).then(|| builder.cut(bounds, (0..count).collect(), budget, DEPTH))
         });
         stages.time("layout", || {

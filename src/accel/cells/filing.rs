@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::Raster;
+use super::{MOST_REFERENCES, Raster};
 use crate::math::Aabb;
 
 /// Boxes are looked at in parallel by so many at least.
@@ -43,6 +43,7 @@ impl Boxes<'_> {
     /// mean.
     pub(in super::super) fn raster(&self, bounds: &Aabb, cells: f64, most: u64) -> Raster {
         let mut cells = cells;
+        let most = (most * self.count() as u64).min(MOST_REFERENCES);
         loop {
             let raster = Raster::of_about(bounds, cells);
             let references = |place| {
@@ -50,9 +51,7 @@ impl Boxes<'_> {
                 touched.iter().map(|places| places.len() as u64).product::<u64>()
             };
             let places = (0..self.count()).into_par_iter().with_min_len(PARALLEL);
-            if raster.count() == 1
-                || places.map(references).sum::<u64>() <= most * self.count() as u64
-            {
+            if raster.count() == 1 || places.map(references).sum::<u64>() <= most {
                 return raster;
             }
             cells /= 2.0;

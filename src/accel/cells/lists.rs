@@ -13,6 +13,10 @@ use crate::math::NONE;
 use super::super::Order;
 use super::Mailbox;
 
+/// The most references of all lists together. With lanes left empty, they are still far fewer than slots
+/// have numbers.
+pub(in super::super) const MOST_REFERENCES: u64 = 1 << 28;
+
 /// The lists of all cells.
 #[derive(Clone, Debug)]
 pub(in super::super) struct CellLists {

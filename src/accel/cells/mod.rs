@@ -9,7 +9,7 @@ mod raster;
 mod walk;
 
 pub(super) use filing::{Boxes, Filed};
-pub(super) use lists::{CellLists, ListBuilder};
+pub(super) use lists::{CellLists, ListBuilder, MOST_REFERENCES};
 pub(super) use mailbox::Mailbox;
 pub(super) use plane_ray::PlaneRay;
 pub(super) use raster::Raster;

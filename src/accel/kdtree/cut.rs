@@ -8,6 +8,7 @@
 use crate::math::Aabb;
 
 use super::super::BuildStages;
+use super::super::cells::MOST_REFERENCES;
 use super::sides::{Side, Sides};
 
 /// The cost of a step to one half of a cell.
@@ -61,6 +62,7 @@ pub(super) fn cut(
     // Havran: deeper cells are seldom worth it, and of those that rounding makes no end would be.
     let depth = (8.0 + 1.3 * f64::from(count).log2()) as u32;
     let budget = u64::from(limits.references - 1) * u64::from(count);
+    let budget = budget.min(MOST_REFERENCES.saturating_sub(count.into()));
     let cell = Cell { bounds, depth, budget };
     Some((bounds, stages.time("tree", || cell.cut(sides, &limits))))
 }
