@@ -60,7 +60,7 @@
 //! ```
 //!
 //! A difference is reported with a ray that shows it, cut to the piece around the hit and printed
-//! in full precision. `examples/custom_accel.rs` does all of this with a uniform grid.
+//! in full precision. `examples/custom_accel.rs` does all of this with a loose grid.
 
 mod agreement;
 mod block_sample;
