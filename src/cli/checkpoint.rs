@@ -88,8 +88,8 @@ impl CheckpointFile {
         self.output.write_once_more(|to| file.write(to))
     }
 
-    /// Does work, and saves what the film has at each interval meanwhile, from a thread of its own. A save that fails is
-    /// warned of, once, and the work goes on.
+    /// Does work, and saves what the film has at each interval meanwhile, from a thread of its own. A save that fails
+    /// is warned of, once, and the work goes on.
     pub(crate) fn keeping<T>(&self, origin: &Origin, film: &Film, work: impl FnOnce() -> T) -> T {
         let end = End::default();
         std::thread::scope(|scope| {

@@ -6,7 +6,9 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `args.rs`, `work_args.rs`, `render_args.rs`, `part_args.rs`, `compare_args.rs`, `rays_args.rs` | the definition of the command line |
+//! | `args.rs` | the definition of the command line |
+//! | `work_args.rs`, `render_args.rs`, `part_args.rs` | its options of rendering |
+//! | `compare_args.rs`, `rays_args.rs` | those of comparing, and of files of rays |
 //! | `values.rs`, `choice.rs`, `structures.rs`, `near.rs` | what options take: numbers, names, structures, with slips |
 //! | `command_line.rs` | the definition with the structures of this program; what was typed |
 //! | `work.rs`, `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |

@@ -53,8 +53,8 @@ pub(crate) struct RenderArguments {
 
     /// Stop when the noise is at most this, such as 0.01; implies --progressive
     ///
-    /// The noise is the standard error of a pixel's luminance, from 0 to 1 as a screen shows it, as the root of its mean
-    /// square over all pixels. It is looked at after each pass, from four samples a pixel on.
+    /// The noise is the standard error of a pixel's luminance, from 0 to 1 as a screen shows it, as the root of its
+    /// mean square over all pixels. It is looked at after each pass, from four samples a pixel on.
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true, value_parser = values::noise,
         help_heading = "Refinement")]
     pub(crate) noise: Option<f64>,

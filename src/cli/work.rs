@@ -90,8 +90,8 @@ impl Work {
         })
     }
 
-    /// The settings of the renderer: what was typed, and the scene's options where nothing was. `count` is whether tests
-    /// are to be counted, which peers do not.
+    /// The settings of the renderer: what was typed, and the scene's options where nothing was. `count` is whether
+    /// tests are to be counted, which peers do not.
     pub(crate) fn settings(&self, scene: &Scene, count: bool) -> Result<Settings, Failure> {
         let of_scene = Settings::of_scene(scene);
         let size = self.overrides.size;

@@ -54,8 +54,8 @@ impl Share {
     /// The most parts of a picture.
     pub const MOST: u32 = 1_000_000;
 
-    /// The pieces of the part, in a picture of `samples` samples a pixel. Those of all parts are the whole picture, each
-    /// piece once. Where there are more parts than tiles, or samples, some are empty.
+    /// The pieces of the part, in a picture of `samples` samples a pixel. Those of all parts are the whole picture,
+    /// each piece once. Where there are more parts than tiles, or samples, some are empty.
     #[must_use]
     pub fn pieces(self, division: Division, region: Crop, samples: u32) -> Vec<Piece> {
         let tiles = tiles_of(region);

@@ -12,8 +12,8 @@ use crate::film::{Crop, FilmError, Moments, Part, Piece, Values, tile_at};
 use crate::math::Color;
 
 impl PartFile {
-    /// Reads the bytes of a file. Each part is of a tile of the picture, with samples that it has; whether parts overlap
-    /// is for the [`Film`](crate::film::Film) to say.
+    /// Reads the bytes of a file. Each part is of a tile of the picture, with samples that it has; whether parts
+    /// overlap is for the [`Film`](crate::film::Film) to say.
     ///
     /// # Errors
     /// If the bytes are no such file, or are not all of it, or were altered.

@@ -1,8 +1,9 @@
 //! Parts of a picture ↔ bytes: what a machine sends of it, and what a rendering leaves to go on from.
 //!
-//! A [`PartFile`] has parts as a [`Film`](crate::film::Film) takes them, and what they are of: the hash of the scene, the
-//! settings, and the version of the renderer ([`Origin`]). Parts of different origins are not parts of one picture. Its
-//! bytes end with a hash of all of them. `docs/part-file.md` describes the form byte by byte. Nothing here opens a file.
+//! A [`PartFile`] has parts as a [`Film`](crate::film::Film) takes them, and what they are of: the hash of the scene,
+//! the settings, and the version of the renderer ([`Origin`]). Parts of different origins are not parts of one picture.
+//! Its bytes end with a hash of all of them. `docs/part-file.md` describes the form byte by byte. Nothing here opens a
+//! file.
 //!
 //! ```
 //! use srt::film::{Crop, Part, Piece, Share, Values};

@@ -34,9 +34,9 @@ impl<'a> Renderer<'a> {
         Self { frame: Frame::new(scene, settings), tracer }
     }
 
-    /// Renders pieces on the threads of the current rayon pool: each thread takes the next one, until there are no more or
-    /// the observer stops it. `send` gets each part from the thread that rendered it, in no order. A piece that was begun
-    /// when the rendering was stopped is left out.
+    /// Renders pieces on the threads of the current rayon pool: each thread takes the next one, until there are no more
+    /// or the observer stops it. `send` gets each part from the thread that rendered it, in no order. A piece that was
+    /// begun when the rendering was stopped is left out.
     ///
     /// The samples of pieces are numbers below [`Settings::film_samples`]. The time of the statistics is not set.
     pub fn render(

@@ -1,4 +1,5 @@
-//! `srt part` and `srt assemble`: the picture of a rendering in one go from parts, refusals of what is no whole picture.
+//! `srt part` and `srt assemble`: the picture of a rendering in one go from parts, refusals of what is no whole
+//! picture.
 
 use std::fs;
 use std::path::Path;

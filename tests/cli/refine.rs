@@ -1,5 +1,5 @@
-//! `--progressive`, `--time`, `--noise`, `--checkpoint`, `--resume`: the same picture, whole at all times, from wherever it
-//! was left.
+//! `--progressive`, `--time`, `--noise`, `--checkpoint`, `--resume`: the same picture, whole at all times, from
+//! wherever it was left.
 
 use std::fs;
 use std::path::Path;
