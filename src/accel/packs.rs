@@ -60,6 +60,15 @@ pub trait Packs: Sync {
     /// A ray as the formula takes it; `inv_dir` is 1/direction, cut to finite values.
     fn ray(ray: &Ray, inv_dir: &[f32; 3]) -> Self::Ray;
 
+    /// Eight rays, a ray in each lane, by their origins, directions, and 1/direction, each as [`ray`](Self::ray) gives
+    /// it.
+    fn eight_rays<S: Simd>(
+        origin: &Lanes3<S::F8>,
+        dir: &Lanes3<S::F8>,
+        inv_dir: &Lanes3<S::F8>,
+        rays: &mut [Self::Ray; PACK],
+    );
+
     /// Sixteen rays, by their origins, directions, and 1/direction.
     fn rays<S: Simd>(
         origin: &Lanes3<S::F16>,
@@ -114,6 +123,15 @@ impl Packs for NoPacks {
     type Rays<S: Simd> = NoRay;
 
     fn ray(_: &Ray, _: &[f32; 3]) -> NoRay {
+        unreachable!("{NONE}")
+    }
+
+    fn eight_rays<S: Simd>(
+        _: &Lanes3<S::F8>,
+        _: &Lanes3<S::F8>,
+        _: &Lanes3<S::F8>,
+        _: &mut [NoRay; PACK],
+    ) {
         unreachable!("{NONE}")
     }
 

@@ -12,6 +12,8 @@
 //! the part that is drawn by itself in a coarse sample is drawn in a finer one, too.
 //!
 //! Before a block is timed, the block before it is traced, so that caches are as warm as in the middle of all rays.
+//! Before all rays are, the last few thousand of them are: a class of a few hundred rays would else find what the other
+//! structures have left in the caches, and its time would depend on their number.
 
 use std::ops::Range;
 use std::time::Duration;
@@ -32,6 +34,9 @@ const FEWEST_BLOCKS: usize = 2;
 /// Traced for each ray that is timed: the ray itself, and one that warms the caches.
 const COST: usize = 2;
 
+/// Traced, at most, before all rays are timed: some hundred microseconds of a tree.
+const WHOLE_WARMUP: usize = 4 * RAYS_PER_CALL;
+
 /// Binary digits of a place.
 const DIGITS: u32 = 32;
 
@@ -50,7 +55,7 @@ pub(super) enum Sample {
 /// A block of a sample, as places of rays.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Block {
-    /// What is traced before, to warm the caches; empty for a sample that is everything.
+    /// What is traced before, to warm the caches.
     pub(super) warmup: Range<usize>,
     /// What is timed.
     pub(super) timed: Range<usize>,
@@ -60,7 +65,7 @@ impl Sample {
     /// The largest sample of `rays` rays for which no more than `affordable` are traced; `None` if that is too small to
     /// say anything.
     pub(super) fn that_fits(rays: usize, affordable: usize) -> Option<Self> {
-        if affordable >= rays {
+        if affordable >= Self::Whole.traced_rays(rays) {
             return Some(Self::Whole);
         }
         let timed = affordable / COST;
@@ -84,7 +89,7 @@ impl Sample {
     /// How many rays of `rays` a round traces, those that warm up included.
     pub(super) fn traced_rays(self, rays: usize) -> usize {
         match self {
-            Self::Whole => rays,
+            Self::Whole => rays + rays.min(WHOLE_WARMUP),
             Self::Blocks { .. } => COST * self.timed_rays(rays),
         }
     }
@@ -92,7 +97,10 @@ impl Sample {
     /// The blocks of a round, in the order of the rays.
     pub(super) fn draw(self, rays: usize, seed: u64, round: usize) -> Vec<Block> {
         match self {
-            Self::Whole => vec![Block { warmup: 0..0, timed: 0..rays }],
+            Self::Whole => {
+                let warmup = rays - rays.min(WHOLE_WARMUP)..rays;
+                vec![Block { warmup, timed: 0..rays }]
+            }
             Self::Blocks { size, count } => {
                 let block = |stratum| {
                     let place = place(seed, round, count.ilog2(), stratum, rays);
@@ -149,9 +157,12 @@ mod tests {
         assert_eq!(sample(32), Some(Sample::Blocks { size: 8, count: 2 }));
         assert_eq!(sample(256), Some(Sample::Blocks { size: 8, count: 16 }));
         assert_eq!(sample(2_048), Some(Sample::Blocks { size: 64, count: 16 }));
-        assert_eq!(sample(RAYS - 1), Some(Sample::Blocks { size: 1_024, count: 16 }));
-        assert_eq!(sample(RAYS), Some(Sample::Whole));
-        assert_eq!(Sample::that_fits(10, 9), None, "fewer rays than two blocks");
+        let whole = Sample::Whole.traced_rays(RAYS);
+        assert_eq!(whole, RAYS + WHOLE_WARMUP);
+        assert_eq!(sample(whole - 1), Some(Sample::Blocks { size: 1_024, count: 16 }));
+        assert_eq!(sample(whole), Some(Sample::Whole));
+        assert_eq!(Sample::that_fits(10, 19), None, "fewer rays than two blocks");
+        assert_eq!(Sample::that_fits(10, 20), Some(Sample::Whole));
         assert_eq!(Sample::that_fits(0, 0), Some(Sample::Whole));
     }
 
@@ -171,6 +182,13 @@ mod tests {
         }
         assert_ne!(blocks, sample.draw(RAYS, 3, 8), "each round draws anew");
         assert_ne!(blocks, sample.draw(RAYS, 4, 7), "by the seed");
+    }
+
+    #[test]
+    fn all_rays_come_after_the_last_few_thousand_of_them() {
+        let block = |rays| Sample::Whole.draw(rays, 0, 0).pop().unwrap();
+        assert_eq!(block(RAYS), Block { warmup: RAYS - WHOLE_WARMUP..RAYS, timed: 0..RAYS });
+        assert_eq!(block(865), Block { warmup: 0..865, timed: 0..865 }, "all of a few");
     }
 
     #[test]

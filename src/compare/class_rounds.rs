@@ -74,9 +74,10 @@ pub(super) fn round_shares(works: &[Work], rule: &RoundRule, time: Duration) -> 
 }
 
 impl Work {
-    /// The time of all of it.
+    /// The time of all of it, with what warms up.
     fn time(&self) -> Duration {
-        self.ray_time.saturating_mul(u32::try_from(self.rays).unwrap_or(u32::MAX))
+        let rays = Sample::Whole.traced_rays(self.rays);
+        self.ray_time.saturating_mul(u32::try_from(rays).unwrap_or(u32::MAX))
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::io::Cursor;
 
+use exr::meta::MetaData;
+use exr::meta::header::Header;
 use image::{DynamicImage, ImageReader};
 use thiserror::Error;
 
@@ -19,6 +21,16 @@ pub enum DecodeError {
         format: Format,
         /// The decoder's error.
         source: image::ImageError,
+    },
+    /// No file of so few bytes holds the pixels that this one of OpenEXR announces.
+    #[error(
+        "not a .exr picture: {bytes} bytes cannot hold the {pixels} pixels of its data windows"
+    )]
+    Window {
+        /// The length of the file.
+        bytes: usize,
+        /// What its header announces.
+        pixels: usize,
     },
     /// The file is whole, and its picture has no pixels.
     #[error("a picture of {width} × {height} has no pixels")]
@@ -38,6 +50,9 @@ pub enum DecodeError {
 /// # Errors
 /// If the bytes are not a whole file of the format, or the picture has no pixels.
 pub fn decode(bytes: &[u8], format: Format) -> Result<Picture, DecodeError> {
+    if format == Format::Exr {
+        check_windows(bytes)?;
+    }
     let image = ImageReader::with_format(Cursor::new(bytes), format.of_image_crate())
         .decode()
         .map_err(|source| DecodeError::Format { format, source })?;
@@ -56,6 +71,27 @@ pub fn decode(bytes: &[u8], format: Format) -> Result<Picture, DecodeError> {
         _ => image.into_rgb32f().pixels().map(|p| Color::from_array(p.0)).collect(),
     };
     Ok(Picture { width, height, pixels })
+}
+
+/// More bytes of pixels than one byte of a file of OpenEXR can stand for. Deflate, the closest of its compressions,
+/// makes [1032 bytes of one](https://zlib.net/zlib_tech.html), and PXR24 stores four bytes of a float as three.
+const MOST_EXPANSION: usize = 2048;
+
+/// The decoder makes room for a block of pixels as the header announces it, whatever the file holds: some hundred bytes
+/// could take gigabytes before they are refused.
+fn check_windows(bytes: &[u8]) -> Result<(), DecodeError> {
+    // What is no header is the decoder's to name.
+    let Ok(meta) = MetaData::read_from_buffered(Cursor::new(bytes), false) else { return Ok(()) };
+    let area =
+        |header: &Header| header.layer_size.width().saturating_mul(header.layer_size.height());
+    let announced = (meta.headers.iter())
+        .map(|header| area(header).saturating_mul(header.channels.bytes_per_pixel))
+        .fold(0, usize::saturating_add);
+    if announced > bytes.len().saturating_mul(MOST_EXPANSION) {
+        let pixels = meta.headers.iter().map(area).fold(0, usize::saturating_add);
+        return Err(DecodeError::Window { bytes: bytes.len(), pixels });
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -124,6 +160,42 @@ mod tests {
         let picture = decode(file.get_ref(), Format::Png).unwrap();
         assert_eq!(picture.pixels[0], Color::ONE);
         assert!((picture.pixels[1] - Color::splat(32_768.0 / 65_535.0)).length() < 1e-6);
+    }
+
+    #[test]
+    fn exr_of_a_window_that_its_bytes_cannot_hold_is_refused() {
+        let mut file = encode(&bytes_picture(), Format::Exr).unwrap();
+        let key = b"dataWindow\0box2i\0";
+        let at = file.windows(key.len()).position(|w| w == key).unwrap() + key.len() + 4;
+        // The last column and the last row, after the first ones.
+        file[at + 8..at + 12].copy_from_slice(&(1i32 << 23).to_le_bytes());
+        let error = decode(&file, Format::Exr).unwrap_err();
+        assert!(
+            matches!(error, DecodeError::Window { pixels, .. } if pixels == 11 * ((1 << 23) + 1)),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn exr_of_one_colour_is_read_however_it_is_compressed() {
+        use exr::prelude::*;
+        for compression in [
+            Compression::Uncompressed,
+            Compression::RLE,
+            Compression::ZIP1,
+            Compression::ZIP16,
+            Compression::PIZ,
+            Compression::PXR24,
+            Compression::B44A,
+        ] {
+            let encoding = Encoding { compression, ..Encoding::SMALL_LOSSLESS };
+            let channels = SpecificChannels::rgb(|_| (0.0f32, 0.0f32, 0.0f32));
+            let layer = Layer::new((1024, 1024), LayerAttributes::named(""), encoding, channels);
+            let mut file = Cursor::new(Vec::new());
+            Image::from_layer(layer).write().to_buffered(&mut file).unwrap();
+            let picture = decode(file.get_ref(), Format::Exr).unwrap();
+            assert!(picture.pixels.iter().all(|pixel| *pixel == Color::ZERO), "{compression}");
+        }
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! Rays as the formula of triangles sees them: space is sheared so that they run along one axis.
 
+use crate::accel::PACK;
 use crate::math::{Lanes, Lanes3, Mask as _, Ray, sub};
+use crate::simd::{Row as _, Simd};
 
 /// A factor that makes a reciprocal of every number but zero finite.
 const LARGE: f32 = (1u64 << 40) as f32;
@@ -19,25 +21,33 @@ pub(super) enum Axis {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Axes([Axis; 3]);
 
-/// A place for each dominant axis.
-const DOMINANT: [Axes; 3] = [
+/// A place for each dominant axis, and one more, so that every number cut to its bits is a place.
+static DOMINANT: [Axes; 4] = [
     Axes([Axis::Y, Axis::Z, Axis::X]),
     Axes([Axis::Z, Axis::X, Axis::Y]),
-    Axes([Axis::X, Axis::Y, Axis::Z]),
+    Axes::OF_SPACE,
+    Axes::OF_SPACE,
 ];
 
 impl Axes {
     /// The order of the axes of space.
-    const OF_SPACE: Self = DOMINANT[2];
+    const OF_SPACE: Self = Self([Axis::X, Axis::Y, Axis::Z]);
 
-    /// The order for a ray in this direction.
+    /// The place in [`DOMINANT`] of the axis along which a ray in this direction moves most.
     #[inline(always)]
-    fn of(dir: &[f32; 3]) -> Self {
+    fn dominant(dir: &[f32; 3]) -> u32 {
         // Bits of absolute values are in their order. By arithmetic: which axis it is cannot be foreseen.
         let (x, y, z) = (size_bits(dir[0]), size_bits(dir[1]), size_bits(dir[2]));
         let not_x = u32::from(x < y) | u32::from(x < z);
         let is_z = not_x & u32::from(y < z);
-        DOMINANT[(not_x + is_z) as usize % 3]
+        not_x + is_z
+    }
+
+    /// The order for rays that move most along the axis of this place.
+    #[inline(always)]
+    fn of_dominant(place: u32) -> Self {
+        const { assert!(DOMINANT.len() == 4) }
+        DOMINANT[place as usize & 3]
     }
 
     /// Three values, one an axis of space, in this order.
@@ -121,24 +131,12 @@ impl<L: Lanes> ShearedRay<L> {
     }
 }
 
-/// A ray that meets triangles: sheared, with its axes.
+/// A ray that meets triangles: sheared, with its dominant axis.
 #[derive(Clone, Copy, Debug)]
+#[repr(C, align(32))]
 pub struct TriangleRay {
-    pub(super) axes: Axes,
-    sheared: ShearedRay<f32>,
-}
-
-impl TriangleRay {
-    /// As a ray in each lane of a vector.
-    #[inline(always)]
-    pub(super) fn splat<L: Lanes>(&self) -> ShearedRay<L> {
-        let ShearedRay { origin: [x, y, z], slopes: [p, q], along: [a, b] } = self.sheared;
-        ShearedRay {
-            origin: [L::splat(x), L::splat(y), L::splat(z)],
-            slopes: [L::splat(p), L::splat(q)],
-            along: [L::splat(a), L::splat(b)],
-        }
-    }
+    /// Origin, slopes, the factors of 1/direction; then the place of the dominant axis, as bits.
+    values: [f32; 8],
 }
 
 impl TriangleRay {
@@ -146,9 +144,48 @@ impl TriangleRay {
     #[inline(always)]
     pub(super) fn new(ray: &Ray, inv_dir: &[f32; 3]) -> Self {
         let (origin, dir): (&[f32; 3], &[f32; 3]) = (ray.origin.as_ref(), ray.dir.as_ref());
-        let axes = Axes::of(dir);
+        let dominant = Axes::dominant(dir);
+        let axes = Axes::of_dominant(dominant);
         let [.., along] = axes.arrange(inv_dir);
-        Self { axes, sheared: ShearedRay::new(axes.arrange(origin), axes.arrange(dir), along) }
+        let sheared = ShearedRay::new(axes.arrange(origin), axes.arrange(dir), along);
+        let ShearedRay { origin: [x, y, z], slopes: [p, q], along: [a, b] } = sheared;
+        Self { values: [x, y, z, p, q, a, b, f32::from_bits(dominant)] }
+    }
+
+    /// Eight rays, a ray in each lane, each with its own dominant axis.
+    #[inline(always)]
+    pub(super) fn eight<S: Simd>(
+        origin: &Lanes3<S::F8>,
+        dir: &Lanes3<S::F8>,
+        inv_dir: &Lanes3<S::F8>,
+        rays: &mut [Self; PACK],
+    ) {
+        let TriangleRays { sheared, .. } = TriangleRays::new(origin, dir, inv_dir);
+        let ShearedRay { origin: [x, y, z], slopes: [p, q], along: [a, b] } = sheared;
+        let [of_x, of_y, _] = lanes_by_dominant_axis(*dir);
+        let place = S::F8::splat(f32::from_bits(1)).select(of_y, S::F8::splat(f32::from_bits(2)));
+        let place = S::F8::splat(0.0).select(of_x, place);
+        let records = S::transpose_eight([x, y, z, p, q, a, b, place]);
+        for i in 0..PACK {
+            records[i].store(&mut rays[i].values);
+        }
+    }
+
+    /// The order of its axes.
+    #[inline(always)]
+    pub(super) fn axes(&self) -> Axes {
+        Axes::of_dominant(self.values[7].to_bits())
+    }
+
+    /// As a ray in each lane of a vector.
+    #[inline(always)]
+    pub(super) fn splat<L: Lanes>(&self) -> ShearedRay<L> {
+        let [x, y, z, p, q, a, b, _] = self.values;
+        ShearedRay {
+            origin: [L::splat(x), L::splat(y), L::splat(z)],
+            slopes: [L::splat(p), L::splat(q)],
+            along: [L::splat(a), L::splat(b)],
+        }
     }
 }
 
@@ -161,8 +198,7 @@ impl From<&Ray> for TriangleRay {
 impl Default for TriangleRay {
     /// A place without a ray.
     fn default() -> Self {
-        let sheared = ShearedRay { origin: [0.0; 3], slopes: [0.0; 2], along: [0.0; 2] };
-        Self { axes: Axes::OF_SPACE, sheared }
+        Self { values: [0.0; 8] }
     }
 }
 
@@ -260,18 +296,65 @@ impl<L: Lanes> TriangleRays<L> {
 
 #[cfg(test)]
 mod tests {
-    use glam::Vec4;
+    use glam::{Vec3, Vec4};
 
     use super::*;
+    use crate::math::Random;
+    use crate::simd::{Kernel, dispatch};
+
+    /// Eight rays at once.
+    struct Eight<'a>(&'a [Ray; PACK], &'a mut [TriangleRay; PACK]);
+
+    impl Kernel for Eight<'_> {
+        type Output = ();
+
+        #[inline(always)]
+        fn run<S: Simd>(self) {
+            let [a, b, c, d, e, f, g, h] = self.0.map(|ray| ray.to_array());
+            let [ox, oy, oz, _, dx, dy, dz, _] = S::transpose_eight([
+                S::F8::load(&a),
+                S::F8::load(&b),
+                S::F8::load(&c),
+                S::F8::load(&d),
+                S::F8::load(&e),
+                S::F8::load(&f),
+                S::F8::load(&g),
+                S::F8::load(&h),
+            ]);
+            let one = S::F8::splat(1.0);
+            let inv_dir = [one / dx, one / dy, one / dz];
+            TriangleRay::eight::<S>(&[ox, oy, oz], &[dx, dy, dz], &inv_dir, self.1);
+        }
+    }
+
+    #[test]
+    fn eight_rays_are_each_what_it_is_alone() {
+        let mut random = Random::new(&[29]);
+        let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32() - 0.5));
+        for round in 0..1000 {
+            let tiny = if round % 4 == 0 { 1e-39 } else { 1.0 };
+            let rays: [Ray; PACK] = std::array::from_fn(|_| Ray::new(point(), tiny * point()));
+            let mut eight = [TriangleRay::default(); PACK];
+            dispatch(Eight(&rays, &mut eight));
+            let bits = |ray: &TriangleRay| ray.values.map(f32::to_bits);
+            for (ray, of_eight) in rays.iter().zip(&eight) {
+                assert_eq!(bits(of_eight), bits(&TriangleRay::from(ray)), "{ray:?}");
+            }
+        }
+    }
 
     #[test]
     fn the_dominant_axis_comes_last_and_equal_ones_have_an_order() {
-        let last = |dir: [f32; 3]| Axes::of(&dir).0[2] as usize;
+        let last = |dir: [f32; 3]| axes(&dir).0[2] as usize;
         assert_eq!(last([-3.0, 2.0, 1.0]), 0);
         assert_eq!(last([0.0, 2.0, -1.0]), 1);
         assert_eq!(last([0.0, 2.0, -2.5]), 2);
         assert_eq!(last([1.0, -1.0, 1.0]), 0);
         assert_eq!(last([0.0, -1.0, 1.0]), 1);
+    }
+
+    fn axes(dir: &[f32; 3]) -> Axes {
+        Axes::of_dominant(Axes::dominant(dir))
     }
 
     #[test]
@@ -280,7 +363,7 @@ mod tests {
         let rows = [0, 1, 2].map(|axis| Vec4::from_array(dirs.map(|dir| dir[axis])));
         let of_axes = lanes_by_dominant_axis(rows);
         for (lane, dir) in dirs.into_iter().enumerate() {
-            let axis = Axes::of(&dir).0[2] as usize;
+            let axis = axes(&dir).0[2] as usize;
             for (other, lanes) in of_axes.into_iter().enumerate() {
                 assert_eq!(lanes >> lane & 1 != 0, other == axis, "{dir:?} {other}");
             }
@@ -291,10 +374,10 @@ mod tests {
         for (lane, dir) in dirs.into_iter().enumerate() {
             for (number, corner) in corners.iter().enumerate() {
                 let point = [1.0, 2.0, 3.0].map(|coordinate| coordinate + number as f32);
-                assert_eq!(corner.map(|row| row[lane]), Axes::of(&dir).arrange(&point));
+                assert_eq!(corner.map(|row| row[lane]), axes(&dir).arrange(&point));
             }
             let ShearedRay { origin, slopes, along } = &rays.sheared;
-            let alone = TriangleRay::from(&Ray::new(dir.into(), dir.into())).sheared;
+            let alone = TriangleRay::from(&Ray::new(dir.into(), dir.into())).splat::<f32>();
             assert_eq!(origin.map(|row| row[lane]), alone.origin);
             assert_eq!(slopes.map(|row| row[lane]), alone.slopes);
             assert_eq!(along.map(|row| row[lane]), alone.along);

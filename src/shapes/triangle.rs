@@ -76,7 +76,7 @@ fn side<L: Lanes>(p: Lanes3<L>, q: Lanes3<L>) -> L {
 #[inline(never)]
 pub(super) fn flat_hit(ray: &Ray, corners: [Vec3; 3]) -> [f32; 3] {
     let of_triangles = TriangleRay::from(ray);
-    let (axes, ray) = (of_triangles.axes, of_triangles.splat::<f32>());
+    let (axes, ray) = (of_triangles.axes(), of_triangles.splat::<f32>());
     let see = |corner: Vec3| ray.see(axes.arrange(&corner.to_array())).map(f64::from);
     let [a, b, c] = corners.map(see);
     let side = |p: [f64; 3], q: [f64; 3]| p[0] * q[1] - p[1] * q[0];
@@ -133,7 +133,7 @@ impl Triangle {
     pub fn intersect(&self, ray: &Ray) -> Option<(f32, f32, f32)> {
         let of_triangles = TriangleRay::from(ray);
         let sheared = of_triangles.splat::<f32>();
-        let corners = self.corners.map(|corner| of_triangles.axes.arrange(&corner.to_array()));
+        let corners = self.corners.map(|corner| of_triangles.axes().arrange(&corner.to_array()));
         let mut hit = scaled_hit(&sheared, corners);
         if !hit.inside {
             return None;
@@ -273,9 +273,9 @@ mod tests {
             let origin = 4.0 * point();
             let ray = Ray::new(origin, point() - origin);
             let of_triangles = TriangleRay::from(&ray);
-            let corners = t
-                .corners
-                .map(|corner| of_triangles.axes.arrange(&corner.to_array()).map(glam::Vec4::splat));
+            let corners = t.corners.map(|corner| {
+                of_triangles.axes().arrange(&corner.to_array()).map(glam::Vec4::splat)
+            });
             let h = scaled_hit(&of_triangles.splat::<glam::Vec4>(), corners);
             let inside = h.inside.bits() >> 3 & 1 != 0;
             let time = h.t[3] / h.scale[3];

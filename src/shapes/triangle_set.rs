@@ -234,6 +234,16 @@ impl Packs for TriangleSet {
     }
 
     #[inline(always)]
+    fn eight_rays<S: Simd>(
+        origin: &Lanes3<S::F8>,
+        dir: &Lanes3<S::F8>,
+        inv_dir: &Lanes3<S::F8>,
+        rays: &mut [TriangleRay; PACK],
+    ) {
+        TriangleRay::eight::<S>(origin, dir, inv_dir, rays);
+    }
+
+    #[inline(always)]
     fn rays<S: Simd>(
         origin: &Lanes3<S::F16>,
         dir: &Lanes3<S::F16>,
@@ -245,11 +255,11 @@ impl Packs for TriangleSet {
     #[inline(always)]
     fn test_pack<S: Simd>(&self, pack: usize, ray: &TriangleRay) -> PackHits<S::F8> {
         let pack = &self.packs[pack];
-        let [a, b, c] = &pack.corners;
+        let (axes, [a, b, c]) = (ray.axes(), &pack.corners);
         let corners = [
-            load3::<S>(ray.axes.arrange_refs(a)),
-            load3::<S>(ray.axes.arrange_refs(b)),
-            load3::<S>(ray.axes.arrange_refs(c)),
+            load3::<S>(axes.arrange_refs(a)),
+            load3::<S>(axes.arrange_refs(b)),
+            load3::<S>(axes.arrange_refs(c)),
         ];
         scaled_hit(&ray.splat(), corners)
     }
@@ -334,7 +344,7 @@ impl Half<'_> {
 
     #[inline(always)]
     fn candidates(&self, ray: &Ray, of_triangles: &TriangleRay, end: f32, mask: u32) -> Candidates {
-        let axes = of_triangles.axes;
+        let axes = of_triangles.axes();
         let corners = [self.corner(0, axes), self.corner(1, axes), self.corner(2, axes)];
         let mut hits = scaled_hit(&of_triangles.splat(), corners);
         for lane in ones(hits.flat() & mask) {

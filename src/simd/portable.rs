@@ -60,6 +60,22 @@ impl Simd for Portable {
     }
 
     #[inline(always)]
+    fn transpose_eight(mut rows: [Self::F8; 8]) -> [Self::F8; 8] {
+        let mut records = [[0.0; 8]; 8];
+        for (number, row) in rows.iter().enumerate() {
+            let mut values = [0.0; 8];
+            row.store(&mut values);
+            for (record, value) in records.iter_mut().zip(values) {
+                record[number] = value;
+            }
+        }
+        for (row, record) in rows.iter_mut().zip(&records) {
+            *row = Self::F8::load(record);
+        }
+        rows
+    }
+
+    #[inline(always)]
     fn compress(mask: u32, values: &[u32; 8], kept: &mut [u32; 8]) {
         let mut count = 0;
         for (lane, &value) in values.iter().enumerate() {

@@ -48,6 +48,8 @@ pub trait Simd: Copy + Send + Sync + 'static {
 
     /// Sixteen records of eight floats as eight rows, the first of which has all first floats.
     fn transpose(records: &[[f32; 8]; LANES]) -> [Self::F16; 8];
+    /// Eight rows, the first of which has all first floats of eight records, as these records, or the other way round.
+    fn transpose_eight(rows: [Self::F8; 8]) -> [Self::F8; 8];
 
     /// Moves the values with a one in the mask to the front of `kept`; what stands behind them is
     /// not specified.

@@ -436,25 +436,30 @@ fn store_words(words: &mut [u32; 8], values: __m256i) {
 /// Eight records of eight floats as eight rows.
 #[inline(always)]
 fn transposed(r: &[[f32; 8]]) -> [__m256; 8] {
+    transposed_rows(op!([
+        _mm256_loadu_ps(r[0].as_ptr()),
+        _mm256_loadu_ps(r[1].as_ptr()),
+        _mm256_loadu_ps(r[2].as_ptr()),
+        _mm256_loadu_ps(r[3].as_ptr()),
+        _mm256_loadu_ps(r[4].as_ptr()),
+        _mm256_loadu_ps(r[5].as_ptr()),
+        _mm256_loadu_ps(r[6].as_ptr()),
+        _mm256_loadu_ps(r[7].as_ptr()),
+    ]))
+}
+
+/// The same of records in registers.
+#[inline(always)]
+fn transposed_rows(records: [__m256; 8]) -> [__m256; 8] {
     op!({
-        let load = [
-            _mm256_loadu_ps(r[0].as_ptr()),
-            _mm256_loadu_ps(r[1].as_ptr()),
-            _mm256_loadu_ps(r[2].as_ptr()),
-            _mm256_loadu_ps(r[3].as_ptr()),
-            _mm256_loadu_ps(r[4].as_ptr()),
-            _mm256_loadu_ps(r[5].as_ptr()),
-            _mm256_loadu_ps(r[6].as_ptr()),
-            _mm256_loadu_ps(r[7].as_ptr()),
-        ];
         // Pairs of records, then fours, then all eight.
-        let mut pairs = load;
-        let mut fours = load;
-        let mut rows = load;
+        let mut pairs = records;
+        let mut fours = records;
+        let mut rows = records;
         let mut i = 0;
         while i < 8 {
-            pairs[i] = _mm256_unpacklo_ps(load[i], load[i + 1]);
-            pairs[i + 1] = _mm256_unpackhi_ps(load[i], load[i + 1]);
+            pairs[i] = _mm256_unpacklo_ps(records[i], records[i + 1]);
+            pairs[i + 1] = _mm256_unpackhi_ps(records[i], records[i + 1]);
             i += 2;
         }
         let mut i = 0;
@@ -489,6 +494,13 @@ impl Simd for Avx2 {
             rows[i] = Pair(Eight(low[i]), Eight(high[i]));
         }
         rows
+    }
+
+    #[inline(always)]
+    fn transpose_eight(rows: [Eight; 8]) -> [Eight; 8] {
+        let [a, b, c, d, e, f, g, h] = rows;
+        let [a, b, c, d, e, f, g, h] = transposed_rows([a.0, b.0, c.0, d.0, e.0, f.0, g.0, h.0]);
+        [Eight(a), Eight(b), Eight(c), Eight(d), Eight(e), Eight(f), Eight(g), Eight(h)]
     }
 
     #[inline(always)]
@@ -539,6 +551,22 @@ impl Simd for Avx512 {
             rows[i] = Sixteen(op!(_mm512_insertf32x8::<1>(low, high[i])));
         }
         rows
+    }
+
+    #[inline(always)]
+    fn transpose_eight(rows: [MaskedEight; 8]) -> [MaskedEight; 8] {
+        let [a, b, c, d, e, f, g, h] = rows;
+        let [a, b, c, d, e, f, g, h] = transposed_rows([a.0, b.0, c.0, d.0, e.0, f.0, g.0, h.0]);
+        [
+            MaskedEight(a),
+            MaskedEight(b),
+            MaskedEight(c),
+            MaskedEight(d),
+            MaskedEight(e),
+            MaskedEight(f),
+            MaskedEight(g),
+            MaskedEight(h),
+        ]
     }
 
     #[inline(always)]

@@ -18,7 +18,7 @@ use super::super::{Bounded, BuildStages};
 use super::branch::Branch;
 use super::reference::{Centers, Corners, NOWHERE, Reference};
 use super::split::{Scratch, Splitting};
-use super::terms::Terms;
+use super::terms::{PACK_COST, Terms};
 
 /// From this depth on primitives are halved by number: no tree is deeper than this and 32 more.
 const USUAL_DEPTH: u32 = 96;
@@ -126,7 +126,8 @@ impl<'a> Part<'a> {
         }
         if depth < USUAL_DEPTH {
             let (best, centers) = dispatch(Splitting { references, centers, terms, scratch });
-            if count <= most && self.bounds.half_area() <= best.cost {
+            let as_leaf = self.bounds.half_area() * (PACK_COST + count as f32);
+            if count <= most && as_leaf <= best.cost {
                 return None;
             }
             if best.count > 0 {

@@ -117,6 +117,7 @@ fn part<S: Simd, const MEASURED: bool>(
 #[cfg(test)]
 mod tests {
     use super::super::super::Quality;
+    use super::super::terms::PACK_COST;
     use super::*;
     use crate::math::{Aabb, Random};
     use crate::simd::dispatch;
@@ -170,7 +171,8 @@ mod tests {
         for count in 2..=FEW {
             for pack_bits in [0, 3] {
                 let mut few = references(count as u32);
-                let packs = |count: usize| (count.div_ceil(1 << pack_bits)) as f32;
+                let packs =
+                    |count: usize| PACK_COST * count.div_ceil(1 << pack_bits) as f32 + count as f32;
                 let mut least = f32::INFINITY;
                 for axis in 0..3 {
                     few.sort_by(|a, b| a.center()[axis].total_cmp(&b.center()[axis]));

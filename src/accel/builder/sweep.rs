@@ -6,6 +6,7 @@ use crate::math::{Lanes as _, Mask as _};
 use crate::simd::{LANES, Row as _, Simd};
 
 use super::reference::Corners;
+use super::terms::PACK_COST;
 
 /// The most boxes in a line: two rows of lanes.
 pub(super) const LONGEST: usize = 2 * LANES;
@@ -24,7 +25,7 @@ impl Line {
 /// The best place found so far to part a node's primitives: behind place `last` along an axis.
 #[derive(Clone, Copy)]
 pub(super) struct Best {
-    /// The areas of both boxes, each times its number of packs.
+    /// The areas of both boxes, each times the cost of its primitives.
     pub(super) cost: f32,
     pub(super) axis: usize,
     pub(super) last: usize,
@@ -113,7 +114,8 @@ fn some<S: Simd>(counts: &[u32; LANES]) -> u32 {
     S::F16::splat(0.0).lt(S::F16::load(&floats(counts))).bits()
 }
 
-/// The areas of sixteen boxes times the number of packs that so many primitives fill.
+/// The areas of sixteen boxes times the cost of so many primitives: that of the packs that they fill, and
+/// of each of them.
 #[inline(always)]
 fn costs<S: Simd>(boxes: &[[f32; 8]; LANES], counts: &[u32; LANES], pack_bits: u32) -> S::F16 {
     let mut packs = *counts;
@@ -122,7 +124,8 @@ fn costs<S: Simd>(boxes: &[[f32; 8]; LANES], counts: &[u32; LANES], pack_bits: u
     }
     let rows = S::transpose(boxes);
     let (x, y, z) = (rows[0] + rows[4], rows[1] + rows[5], rows[2] + rows[6]);
-    (x * y + y * z + z * x) * S::F16::load(&floats(&packs))
+    let (packs, single) = (S::F16::load(&floats(&packs)), S::F16::load(&floats(counts)));
+    (x * y + y * z + z * x) * (packs * S::F16::splat(PACK_COST) + single)
 }
 
 #[inline(always)]

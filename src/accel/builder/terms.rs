@@ -2,6 +2,11 @@
 
 use super::super::Quality;
 
+/// What a pack costs in units of what each primitive in it adds. That is little, but of splits into as many
+/// packs it prefers those that leave few primitives to a large box: what shares a leaf with a large primitive
+/// is tested with every ray that meets the box of that one.
+pub(super) const PACK_COST: f32 = 64.0;
+
 /// What splits are weighed by.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Terms {

@@ -89,10 +89,11 @@ impl<R> Memory<R> {
         for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
             let first = (number * RAYS) as u32;
             let numbered = (first, rays);
-            let outcome = packet::search::<S, P, Q, C, false>(
-                task, numbered, answers, packet, diverged, counters,
-            );
-            if outcome == Outcome::Incoherent {
+            if in_several_octants(rays)
+                || packet::search::<S, P, Q, C, false>(
+                    task, numbered, answers, packet, diverged, counters,
+                ) == Outcome::Incoherent
+            {
                 incoherent.extend(first..first + RAYS as u32);
             }
         }
@@ -100,6 +101,16 @@ impl<R> Memory<R> {
         let waiting = (&incoherent[..], &*diverged);
         dispatch(Waves { task, rays, waiting, answers, wave, counters });
     }
+}
+
+/// Whether directions of some of the rays differ in a sign. Such rays make no packet; most of those that do not are told
+/// by so few.
+#[inline(always)]
+fn in_several_octants(rays: &[Ray; RAYS]) -> bool {
+    let [a, b, c, d] = [&rays[0], &rays[5], &rays[10], &rays[15]];
+    let signs = |ray: &Ray, axis: usize| ray.dir[axis].to_bits() ^ a.dir[axis].to_bits();
+    let differ = |ray: &Ray| signs(ray, 0) | signs(ray, 1) | signs(ray, 2);
+    (differ(b) | differ(c) | differ(d)) >> 31 != 0
 }
 
 /// The search for rays that do not make packets: compiled by itself, because constants of sixteen lanes

@@ -10,6 +10,7 @@
 mod coherence;
 mod collapse;
 mod diverged;
+mod incoming;
 mod kernels;
 mod node;
 mod packet;

@@ -9,11 +9,12 @@
 use crate::accel::{PACK, PackHits, Packs, Primitives, Query, Search, search_one};
 use crate::counters::Counters;
 use crate::math::slab::{meets, not_before};
-use crate::math::{BoxRay, Hit, Lanes as _, Mask as _, NONE, Padding, Ray, ones, within};
+use crate::math::{BoxRay, Hit, Lanes as _, Mask as _, NONE, Ray, ones, within};
 use crate::simd::{Row, Simd, splat3};
 
 use super::HEIGHT;
 use super::diverged::{Diverged, DivergedRay};
+use super::incoming::{Incoming, Next, Terms};
 use super::node::{Child, near_planes, order_shift};
 use super::slab_ray::SlabRay;
 use super::task::Task;
@@ -21,13 +22,13 @@ use super::task::Task;
 /// Rays in flight.
 const RAYS: usize = 32;
 
-/// Room for the entries, for the row that is written at once beyond them, and so much more that
-/// slots do not lie at a multiple of the distance that a cache's sets repeat in.
-const ROOM: usize = HEIGHT + PACK + 8;
+/// Room for the entries, for the row that is written at once beyond them, and up to a whole cache line.
+const ROOM: usize = HEIGHT + 2 * PACK;
 
 /// The memory of a wave; `R` is a ray as the primitives' formula takes it.
 pub(super) struct Memory<R> {
     slots: [Slot<R>; RAYS],
+    terms: Terms<R>,
     candidates: [Candidates; RAYS],
 }
 
@@ -36,20 +37,19 @@ pub(super) struct Memory<R> {
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 struct Slot<R> {
-    inv_dir: [f32; 3],
-    t_min: f32,
-    near: [f32; 3],
-    /// The end of the search: the best hit's parameter, or the ray's end.
-    end: f32,
+    /// 1/direction, t_min, offsets of near planes, and the end of the search: the best hit's parameter,
+    /// or the ray's end.
+    near: [f32; 8],
+    /// Offsets of far planes.
     far: [f32; 3],
     /// Entries on its stack.
     height: u32,
     near_planes: [u32; 3],
     order_shift: u32,
 
+    formula: R,
     /// What it visits next.
     at: Child,
-    formula: R,
     /// The best hit.
     prim: u32,
     u: f32,
@@ -57,17 +57,25 @@ struct Slot<R> {
     /// Its number in the caller's slice.
     ray: u32,
 
-    box_ray: BoxRay,
     /// The stack: what is to be visited, and where it begins. At the bottom is the end.
-    entries: [u32; ROOM],
-    distances: [f32; ROOM],
+    entries: Aligned<[u32; ROOM]>,
+    distances: Aligned<[f32; ROOM]>,
+    /// Slots are an odd number of cache lines apart, so that they do not share sets of a cache.
+    _apart: Aligned<u32>,
 }
 
-/// Rays by their slot; room for one more than there can be, because what does not belong is
+/// At the beginning of a cache line: rows of a stack that is not high do not cross into the next.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+struct Aligned<T>(T);
+
+/// Places for the slots of a list: room for one more than there can be, because what does not belong is
 /// written too, and then overwritten.
-#[derive(Clone, Copy)]
-struct List {
-    slots: [u8; 2 * RAYS],
+type Places = [u8; 2 * RAYS];
+
+/// Rays by their slot. The places are elsewhere, so that the length can stay in a register.
+struct List<'a> {
+    places: &'a mut Places,
     length: usize,
 }
 
@@ -83,13 +91,15 @@ struct Candidates {
     block: u32,
 }
 
-impl List {
-    const EMPTY: Self = Self { slots: [0; 2 * RAYS], length: 0 };
+impl<'a> List<'a> {
+    fn new(places: &'a mut Places) -> Self {
+        Self { places, length: 0 }
+    }
 
     /// Appends a slot if it `belongs`, by arithmetic.
     #[inline(always)]
     fn append(&mut self, slot: u8, belongs: bool) {
-        self.slots[self.length % (2 * RAYS)] = slot;
+        self.places[self.length % (2 * RAYS)] = slot;
         self.length += usize::from(belongs);
     }
 
@@ -102,13 +112,17 @@ impl List {
 
     #[inline(always)]
     fn slot(&self, place: usize) -> u8 {
-        self.slots[place % (2 * RAYS)]
+        self.places[place % (2 * RAYS)]
     }
 }
 
 impl<R: Copy + Default> Default for Memory<R> {
     fn default() -> Self {
-        Self { slots: [Slot::vacant(); RAYS], candidates: [Candidates::NONE; RAYS] }
+        Self {
+            slots: [Slot::vacant(); RAYS],
+            terms: Terms::room(R::default()),
+            candidates: [Candidates::NONE; RAYS],
+        }
     }
 }
 
@@ -145,9 +159,16 @@ impl Candidates {
 
     /// Takes those out that do not count by their own boxes, and puts the others where they count.
     #[inline(always)]
-    fn place<S: Simd, R>(&mut self, slot: &Slot<R>, packs: &impl Packs) {
-        let (begin, leave) = slot.box_ray.intervals(packs.boxes::<S>(self.block as usize));
-        let searched = [S::F8::splat(slot.t_min), S::F8::splat(slot.end)];
+    fn place<S: Simd, P: Primitives, Q: Query>(
+        &mut self,
+        slot: &Slot<RayOf<P>>,
+        task: &Task<'_, P, Q>,
+        rays: &[Ray],
+    ) {
+        // Most rays come here once at most: not kept in the slot.
+        let box_ray = BoxRay::new(&rays[slot.ray as usize], task.padding);
+        let (begin, leave) = box_ray.intervals(task.packs.boxes::<S>(self.block as usize));
+        let searched = [S::F8::splat(slot.t_min()), S::F8::splat(slot.end())];
         self.lanes &= meets([begin, leave], searched).bits();
         not_before(S::F8::load(&self.t), begin).store(&mut self.t);
     }
@@ -165,13 +186,35 @@ impl Candidates {
     }
 }
 
+/// Where a slot has the end of the search.
+const END: usize = 7;
+
+impl<R> Slot<R> {
+    #[inline(always)]
+    fn inv_dir(&self) -> [f32; 3] {
+        [self.near[0], self.near[1], self.near[2]]
+    }
+
+    #[inline(always)]
+    fn t_min(&self) -> f32 {
+        self.near[3]
+    }
+
+    #[inline(always)]
+    fn near_offsets(&self) -> [f32; 3] {
+        [self.near[4], self.near[5], self.near[6]]
+    }
+
+    #[inline(always)]
+    fn end(&self) -> f32 {
+        self.near[END]
+    }
+}
+
 impl<R: Copy + Default> Slot<R> {
     fn vacant() -> Self {
         Self {
-            inv_dir: [0.0; 3],
-            t_min: 0.0,
-            near: [0.0; 3],
-            end: 0.0,
+            near: [0.0; 8],
             far: [0.0; 3],
             height: 0,
             near_planes: [0; 3],
@@ -181,15 +224,10 @@ impl<R: Copy + Default> Slot<R> {
             prim: NONE,
             u: 0.0,
             v: 0.0,
-            ray: 0,
-            box_ray: BoxRay {
-                inv_dir: glam::Vec3A::ZERO,
-                origin_plus: glam::Vec3A::ZERO,
-                origin_minus: glam::Vec3A::ZERO,
-                pad: 0.0,
-            },
-            entries: [Child::ABSENT.0; ROOM],
-            distances: [f32::NEG_INFINITY; ROOM],
+            ray: NONE,
+            entries: Aligned([Child::ABSENT.0; ROOM]),
+            distances: Aligned([f32::NEG_INFINITY; ROOM]),
+            _apart: Aligned(0),
         }
     }
 }
@@ -209,28 +247,47 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
 ) {
     let any = const { matches!(Q::SEARCH, Search::First) };
     let (tree, packs) = (&task.tree.nodes[..], task.packs);
-    let Memory { slots, candidates } = memory;
-    let mut nodes = List::EMPTY;
-    let mut leaves = List::EMPTY;
-    let mut improved = List::EMPTY;
-    let mut done = List::EMPTY;
-    let mut waiting =
-        Waiting { rays, fresh: which.iter(), on_the_way: diverged.rays().iter(), diverged };
-    for id in 0..RAYS as u8 {
-        let slot = &mut slots[usize::from(id)];
-        if !waiting.take::<S, P, Q, C>(task, slot, counters, answers) {
+    let Memory { slots, terms, candidates } = memory;
+    let [a, b, c, d, e, f] = &mut [[0; 2 * RAYS]; 6];
+    let (mut nodes, mut nodes_now) = (List::new(a), List::new(b));
+    let (mut leaves, mut leaves_now) = (List::new(c), List::new(d));
+    let (mut improved, mut done) = (List::new(e), List::new(f));
+    let mut incoming = Incoming::new(rays, which, diverged);
+    for (id, slot) in slots.iter_mut().enumerate() {
+        slot.ray = NONE;
+        done.append(id as u8, true);
+    }
+    loop {
+        for place in 0..done.restart() {
+            let id = done.slot(place);
+            let slot = &mut slots[usize::from(id) % RAYS];
+            if let Some(ray) = rays.get(slot.ray as usize) {
+                answers[slot.ray as usize] = task.query.of_one(ray, &slot.hit());
+            }
+            while let Some(next) = incoming.next::<S, P::Packs>(terms, task.padding) {
+                let taken = slot.take(&next, terms)
+                    || take_cut::<S, P, Q, C>(task, slot, (&next, rays), counters, answers);
+                if taken {
+                    if let Some(ray) = next.diverged {
+                        slot.go_on(ray, diverged.entries(ray));
+                    }
+                    pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
+                    break;
+                }
+            }
+        }
+        if nodes.length + leaves.length == 0 {
             break;
         }
-        pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
-    }
-    while nodes.length + leaves.length > 0 {
         if task.large {
             for place in 0..nodes.length {
                 task.prefetch(slots[usize::from(nodes.slot(place)) % RAYS].at);
             }
         }
-        for place in 0..nodes.restart() {
-            let id = nodes.slot(place);
+        std::mem::swap(&mut nodes, &mut nodes_now);
+        nodes.restart();
+        for place in 0..nodes_now.length {
+            let id = nodes_now.slot(place);
             let slot = &mut slots[usize::from(id) % RAYS];
             let node = &tree[slot.at.index()];
             if C::COUNTS {
@@ -238,15 +295,15 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
             }
             let (begin, end) = node.intervals::<S>(
                 slot.near_planes,
-                splat3::<S::F8>(slot.inv_dir),
-                splat3::<S::F8>(slot.near),
+                splat3::<S::F8>(slot.inv_dir()),
+                splat3::<S::F8>(slot.near_offsets()),
                 splat3::<S::F8>(slot.far),
-                [S::F8::splat(slot.t_min), S::F8::splat(slot.end)],
+                [S::F8::splat(slot.t_min()), S::F8::splat(slot.end())],
             );
             let top = slot.height as usize;
             if any {
                 let mask = begin.le(end).bits();
-                S::compress(mask, node.children(), row_mut(&mut slot.entries, top));
+                S::compress(mask, node.children(), row_mut(&mut slot.entries.0, top));
                 slot.height += mask.count_ones();
             } else {
                 slot.height += S::enter(
@@ -255,8 +312,8 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
                     node.children(),
                     node.orders(),
                     slot.order_shift,
-                    row_mut(&mut slot.entries, top),
-                    row_mut(&mut slot.distances, top),
+                    row_mut(&mut slot.entries.0, top),
+                    row_mut(&mut slot.distances.0, top),
                 );
             }
             pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
@@ -268,8 +325,10 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
             }
         }
         improved.restart();
-        for place in 0..leaves.restart() {
-            let id = leaves.slot(place);
+        std::mem::swap(&mut leaves, &mut leaves_now);
+        leaves.restart();
+        for place in 0..leaves_now.length {
+            let id = leaves_now.slot(place);
             let slot = &mut slots[usize::from(id) % RAYS];
             let block = slot.at.block();
             if C::COUNTS {
@@ -280,7 +339,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
                 hits.replace(lane, packs.flat_hit(block, lane, &rays[slot.ray as usize]));
             }
             let t = hits.t / hits.scale;
-            let in_reach = within(t, [S::F8::splat(slot.t_min), S::F8::splat(slot.end)]);
+            let in_reach = within(t, [S::F8::splat(slot.t_min()), S::F8::splat(slot.end())]);
             let lanes = (hits.inside & in_reach).bits();
             if any {
                 // A candidate nearly always ends the search: at most one misprediction a ray.
@@ -317,16 +376,6 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
             }
             pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
         }
-
-        for place in 0..done.restart() {
-            let id = done.slot(place);
-            let slot = &mut slots[usize::from(id) % RAYS];
-            let ray = &rays[slot.ray as usize];
-            answers[slot.ray as usize] = task.query.of_one(ray, &slot.hit());
-            if waiting.take::<S, P, Q, C>(task, slot, counters, answers) {
-                pop(slot, id, true, &mut nodes, &mut leaves, &mut done);
-            }
-        }
     }
 }
 
@@ -335,49 +384,7 @@ impl<R> Slot<R> {
         if self.prim == NONE {
             return Hit::MISS;
         }
-        Hit { t: self.end, object: 0, prim: self.prim, u: self.u, v: self.v }
-    }
-}
-
-/// Rays that are not yet in flight.
-struct Waiting<'a> {
-    rays: &'a [Ray],
-    /// Those that begin with the root, by their places in the slice.
-    fresh: std::slice::Iter<'a, u32>,
-    on_the_way: std::slice::Iter<'a, DivergedRay>,
-    diverged: &'a Diverged,
-}
-
-impl Waiting<'_> {
-    /// Puts the next ray into a slot, if there is one. Rays that the slab test cannot take are
-    /// searched at once, alone.
-    #[inline(always)]
-    fn take<S: Simd, P: Primitives, Q: Query, C: Counters>(
-        &mut self,
-        task: &Task<'_, P, Q>,
-        slot: &mut Slot<RayOf<P>>,
-        counters: &mut C,
-        answers: &mut [Q::Answer],
-    ) -> bool {
-        for &index in self.fresh.by_ref() {
-            let ray = &self.rays[index as usize];
-            if slot.load::<S, P::Packs>(index, ray, task.padding)
-                || take_cut::<S, P, Q, C>(task, slot, (index, ray), counters, answers)
-            {
-                slot.entries[1] = Child::ROOT.0;
-                slot.height = 2;
-                return true;
-            }
-        }
-        let Some(ray) = self.on_the_way.next() else {
-            return false;
-        };
-        let (index, whole) = (ray.ray, &self.rays[ray.ray as usize]);
-        let taken = slot.load::<S, P::Packs>(index, whole, task.padding)
-            || slot.load_cut::<S, P::Packs>(index, whole, task.padding);
-        debug_assert!(taken, "a packet has taken the ray by the same terms");
-        slot.go_on(ray, self.diverged.entries(ray));
-        true
+        Hit { t: self.end(), object: 0, prim: self.prim, u: self.u, v: self.v }
     }
 }
 
@@ -388,75 +395,61 @@ impl Waiting<'_> {
 fn take_cut<S: Simd, P: Primitives, Q: Query, C: Counters>(
     task: &Task<'_, P, Q>,
     slot: &mut Slot<RayOf<P>>,
-    (index, ray): (u32, &Ray),
+    (next, rays): (&Next<'_>, &[Ray]),
     counters: &mut C,
     answers: &mut [Q::Answer],
 ) -> bool {
-    let taken = slot.load_cut::<S, P::Packs>(index, ray, task.padding);
-    if !taken {
-        answers[index as usize] = search_one(task.tree, task.query, task.primitives, ray, counters);
-    }
-    taken
+    let ray = &rays[next.index as usize];
+    let box_ray = BoxRay::new(ray, task.padding);
+    let Some(slab) = SlabRay::cut::<S>(ray, &box_ray, task.padding) else {
+        debug_assert!(next.diverged.is_none(), "a packet has taken the ray by the same terms");
+        answers[next.index as usize] =
+            search_one(task.tree, task.query, task.primitives, ray, counters);
+        return false;
+    };
+    let (inv, near) = (slab.inv_dir, slab.near);
+    slot.near = [inv.x, inv.y, inv.z, ray.t_min, near.x, near.y, near.z, ray.t_max];
+    slot.far = slab.far.to_array();
+    slot.formula = P::Packs::ray(ray, &box_ray.inv_dir.to_array());
+    slot.begin(next.index, slab.octant);
+    true
 }
 
-impl<R> Slot<R> {
-    /// Takes a usual ray that has not begun. Returns false if it hardly moves along an axis.
+impl<R: Copy> Slot<R> {
+    /// Takes a ray by its terms; returns false if they are not the usual ones.
     #[inline(always)]
-    fn load<S: Simd, K: Packs<Ray = R>>(
-        &mut self,
-        index: u32,
-        ray: &Ray,
-        padding: Padding,
-    ) -> bool {
-        let box_ray = BoxRay::new(ray, padding);
-        let Some(slab) = SlabRay::new::<S>(ray, &box_ray, padding) else {
+    fn take(&mut self, next: &Next<'_>, terms: &Terms<R>) -> bool {
+        let lane = next.lane % PACK;
+        if !terms.are_usual(lane) {
             return false;
-        };
-        self.fill::<K>(index, ray, box_ray, slab);
+        }
+        self.near = terms.near[lane];
+        let [x, y, z, ..] = terms.far[lane];
+        self.far = [x, y, z];
+        self.formula = terms.formula[lane];
+        self.begin(next.index, terms.octant(lane));
         true
     }
 
-    /// Takes a ray that hardly moves along an axis. Returns false if the slab test cannot take it.
-    #[cold]
-    #[inline(never)]
-    fn load_cut<S: Simd, K: Packs<Ray = R>>(
-        &mut self,
-        index: u32,
-        ray: &Ray,
-        padding: Padding,
-    ) -> bool {
-        let box_ray = BoxRay::new(ray, padding);
-        let slab = SlabRay::cut::<S>(ray, &box_ray, padding);
-        if let Some(slab) = slab {
-            self.fill::<K>(index, ray, box_ray, slab);
-        }
-        slab.is_some()
-    }
-
+    /// Begins with the root.
     #[inline(always)]
-    fn fill<K: Packs<Ray = R>>(&mut self, index: u32, ray: &Ray, box_ray: BoxRay, slab: SlabRay) {
-        // Field by field: a whole slot would be put together elsewhere and copied.
-        self.inv_dir = slab.inv_dir.to_array();
-        self.t_min = ray.t_min;
-        self.near = slab.near.to_array();
-        self.end = ray.t_max;
-        self.far = slab.far.to_array();
-        self.near_planes = near_planes(slab.octant);
-        self.order_shift = order_shift(slab.octant);
-        self.formula = K::ray(ray, &box_ray.inv_dir.to_array());
+    fn begin(&mut self, index: u32, octant: u32) {
+        self.near_planes = near_planes(octant);
+        self.order_shift = order_shift(octant);
         self.prim = NONE;
-        self.u = 0.0;
-        self.v = 0.0;
         self.ray = index;
-        self.box_ray = box_ray;
+        self.entries.0[1] = Child::ROOT.0;
+        self.height = 2;
     }
+}
 
+impl<R> Slot<R> {
     /// Gives a ray what it has found on its way, and what it is still to visit.
     #[inline(always)]
     fn go_on(&mut self, ray: &DivergedRay, entries: &[(Child, f32)]) {
         let Hit { t, prim, u, v, .. } = ray.best;
-        (self.end, self.prim, self.u, self.v) = (t, prim, u, v);
-        let places = self.entries[1..HEIGHT].iter_mut().zip(&mut self.distances[1..HEIGHT]);
+        (self.near[END], self.prim, self.u, self.v) = (t, prim, u, v);
+        let places = self.entries.0[1..HEIGHT].iter_mut().zip(&mut self.distances.0[1..HEIGHT]);
         for ((entry, distance), (child, begin)) in places.zip(entries) {
             (*entry, *distance) = (child.0, *begin);
         }
@@ -471,11 +464,11 @@ fn pop<R>(
     slot: &mut Slot<R>,
     id: u8,
     free: bool,
-    nodes: &mut List,
-    leaves: &mut List,
-    done: &mut List,
+    nodes: &mut List<'_>,
+    leaves: &mut List<'_>,
+    done: &mut List<'_>,
 ) {
-    let next = Child(slot.entries[(slot.height - 1) as usize % HEIGHT]);
+    let next = Child(slot.entries.0[(slot.height - 1) as usize % HEIGHT]);
     slot.height -= u32::from(free);
     slot.at = next;
     let (leaf, end) = (next.is_leaf(), next == Child::ABSENT);
@@ -492,7 +485,7 @@ fn any_accepted<S: Simd, P: Primitives, Q: Query>(
     rays: &[Ray],
     offered: &mut Candidates,
 ) -> bool {
-    offered.place::<S, _>(slot, task.packs);
+    offered.place::<S, P, Q>(slot, task, rays);
     ones(offered.lanes).any(|lane| offered.is_accepted(lane % PACK, slot.ray, task, rays))
 }
 
@@ -505,7 +498,7 @@ fn improve<S: Simd, P: Primitives, Q: Query>(
     rays: &[Ray],
     offered: &mut Candidates,
 ) -> bool {
-    offered.place::<S, _>(slot, task.packs);
+    offered.place::<S, P, Q>(slot, task, rays);
     let t = S::F8::load(&offered.t);
     let mut lanes = offered.lanes;
     while lanes != 0 {
@@ -513,8 +506,8 @@ fn improve<S: Simd, P: Primitives, Q: Query>(
         let lane = t.first_smallest(lanes) % PACK;
         if offered.is_accepted(lane, slot.ray, task, rays) {
             let Hit { t, prim, u, v, .. } = offered.hit(lane, task.packs);
-            let better = (t < slot.end) | (prim < slot.prim);
-            slot.end = if better { t } else { slot.end };
+            let better = (t < slot.end()) | (prim < slot.prim);
+            slot.near[END] = if better { t } else { slot.end() };
             slot.prim = if better { prim } else { slot.prim };
             slot.u = if better { u } else { slot.u };
             slot.v = if better { v } else { slot.v };
@@ -528,15 +521,15 @@ fn improve<S: Simd, P: Primitives, Q: Query>(
 /// Takes from a ray's stack what begins behind the end of the search.
 #[inline(always)]
 fn drop_behind<S: Simd, R>(slot: &mut Slot<R>) {
-    let (end, height) = (S::F8::splat(slot.end), slot.height as usize);
+    let (end, height) = (S::F8::splat(slot.end()), slot.height as usize);
     let (mut kept, mut base) = (0, 0);
     while base < height {
-        let begins = S::F8::load(row_mut(&mut slot.distances, base));
+        let begins = S::F8::load(row_mut(&mut slot.distances.0, base));
         let live = (1u32 << (height - base).min(PACK)) - 1;
         let mask = begins.le(end).bits() & live;
-        let row = *row_mut(&mut slot.entries, base);
-        S::compress(mask, &row, row_mut(&mut slot.entries, kept));
-        S::compress_floats(mask, begins, row_mut(&mut slot.distances, kept));
+        let row = *row_mut(&mut slot.entries.0, base);
+        S::compress(mask, &row, row_mut(&mut slot.entries.0, kept));
+        S::compress_floats(mask, begins, row_mut(&mut slot.distances.0, kept));
         kept += mask.count_ones() as usize;
         base += PACK;
     }
