@@ -82,7 +82,11 @@ pub mod description;
 #[cfg(feature = "embree")]
 pub mod embree;
 #[cfg(feature = "program")]
+pub mod film;
+#[cfg(feature = "program")]
 pub mod image_io;
+#[cfg(feature = "program")]
+pub mod part_file;
 #[cfg(feature = "program")]
 pub mod ray_file;
 #[cfg(feature = "program")]

@@ -8,6 +8,7 @@ use clap::{Args, Parser, Subcommand};
 use super::choice::described;
 use super::compare_args::{CompareArguments, ConformanceArguments, ReportArguments};
 use super::exit::EXIT_CODES;
+use super::part_args::{AssembleArguments, PartArguments};
 use super::rays_args::RaysArguments;
 use super::render_args::RenderArguments;
 use super::values;
@@ -21,6 +22,10 @@ Examples:
   srt scene.sce cost.png --view heatmap            what the rays of each pixel tested
   srt scene.sce - --format png | display -         write to a pipe
   sed 's/^nx .*/nx 99/' scene.sce | srt - a.png    read from a pipe
+  srt scene.sce picture.png --progressive --time 30s
+  srt scene.sce picture.png --checkpoint scene.srtc --resume
+  srt part scene.sce --part 3/7 -o part-3.srtp     one of seven machines' parts
+  srt assemble part-*.srtp -o picture.png          the same picture
   srt compare scenes/hall.sce                      how fast each structure is, as a report
   srt conformance --accel bvh8:leaf=4              whether its hits equal those of no structure
   srt check scenes/*.sce                           validate without rendering
@@ -57,6 +62,10 @@ pub(crate) struct Arguments {
 /// The subcommands.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// Render a part of a picture, for another machine to put together
+    Part(PartArguments),
+    /// Put the parts of a picture together
+    Assemble(AssembleArguments),
     /// Validate scenes without rendering, and list what is in them
     Check(CheckArguments),
     /// Compare acceleration structures, prove their results equal, and write a report

@@ -15,6 +15,7 @@ pub(crate) fn command(structures: &Structures) -> Command {
     let list = |arg: Arg| structures.explained_in(arg.value_parser(structures.list_parser()));
     Arguments::command()
         .mut_arg("accel", one)
+        .mut_subcommand("part", |part| part.mut_arg("accel", one))
         .mut_subcommand("compare", |compare| compare.mut_arg("accel", list))
         .mut_subcommand("conformance", |check| check.mut_arg("accel", list))
 }
@@ -86,7 +87,7 @@ mod tests {
     #[test]
     fn what_is_added_can_be_named_wherever_the_librarys_can() {
         let structures = Structures::with(&[MINE]).unwrap();
-        let named = |typed: &[&str]| read(&structures, typed).unwrap().render.accel.name;
+        let named = |typed: &[&str]| read(&structures, typed).unwrap().render.work.accel.name;
         assert_eq!(named(&["srt", "a.sce", "a.png", "--accel", "mine"]), "mine");
         assert_eq!(named(&["srt", "a.sce", "a.png", "--accel", "mine:leaf=4"]), "mine:leaf=4");
         assert_eq!(named(&["srt", "a.sce", "a.png"]), "bvh8");

@@ -9,9 +9,10 @@ use std::time::Duration;
 use serde::{Serialize, Serializer};
 
 use super::options::RenderOptions;
+use super::refine::{Outcome, StoppedBy};
 use super::source;
 use crate::accel::StructureShape;
-use crate::render::{self, RayClass, RenderStats, Rendering, Settings, Spacing, Stage, StageTimes};
+use crate::render::{self, RayClass, RenderStats, Settings, Spacing, Stage, StageTimes};
 use crate::scene::BuildReport;
 
 /// The version of the JSON: raised when a field changes its meaning or goes away.
@@ -30,10 +31,18 @@ pub(crate) struct Figures {
     view: &'static str,
     /// The scale of its colours, where numbers became colours.
     scale: Option<ScaleEnds>,
-    /// Whether a signal ended it early.
+    /// Whether it was ended early.
     pub(crate) partial: bool,
-    /// The pixels that were rendered: all, unless it was ended early.
+    /// By what: `signal`, `time` or `noise`.
+    pub(crate) stopped_by: Option<&'static str>,
+    /// The pixels that were rendered, at least in part: all, unless it was ended early.
     pub(crate) rendered_pixels: u64,
+    /// The samples of a pixel that were rendered, on average, and of how many.
+    pub(crate) samples_per_pixel: f64,
+    #[serde(skip)]
+    pub(crate) all_samples_per_pixel: u32,
+    /// The noise that is left, where it is known.
+    pub(crate) noise: Option<f64>,
     /// Threads that built and rendered.
     pub(crate) threads: usize,
     pub(crate) structure: BuiltStructure,
@@ -130,27 +139,28 @@ impl Figures {
         options: &RenderOptions,
         settings: &Settings,
         build: &BuildReport,
-        rendering: &Rendering,
+        outcome: &Outcome,
     ) -> Self {
+        let (work, rendering) = (&options.work, &outcome.rendering);
         let region = settings.region();
         let stats = &rendering.stats;
         let render_seconds = stats.time.as_secs_f64();
         let rays = stats.total_rays();
         Self {
             version: VERSION,
-            scene: source::name(&options.scene),
+            scene: source::name(&work.scene),
             width: region.width(),
             height: region.height(),
             view: settings.view.name(),
             scale: None,
             partial: !rendering.complete,
+            stopped_by: outcome.stopped_by.map(StoppedBy::name),
             rendered_pixels: rendering.pixels,
-            threads: options.threads,
-            structure: BuiltStructure::new(
-                options.structure.name,
-                options.build.quality.name(),
-                build,
-            ),
+            samples_per_pixel: rendering.samples as f64 / region.pixels() as f64,
+            all_samples_per_pixel: settings.film_samples(),
+            noise: outcome.noise,
+            threads: work.threads,
+            structure: BuiltStructure::new(work.structure.name, work.build.quality.name(), build),
             render_seconds,
             thread_seconds: ThreadSeconds::from(&stats.thread_times),
             rays,
@@ -341,7 +351,11 @@ pub(crate) mod tests {
             view: "color",
             scale: None,
             partial: false,
+            stopped_by: None,
             rendered_pixels: 480_000,
+            samples_per_pixel: 1.0,
+            all_samples_per_pixel: 1,
+            noise: None,
             threads: 2,
             structure: BuiltStructure::new("bvh", "medium", &build()),
             render_seconds: 1.25,

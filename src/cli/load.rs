@@ -15,6 +15,8 @@ use crate::scene_file::{
 
 /// A scene that can be traced.
 pub(crate) struct Loaded {
+    /// The text of the scene's file.
+    pub(crate) text: String,
     /// The scene as written.
     pub(crate) description: SceneDescription,
     /// The scene as traced.
@@ -46,7 +48,8 @@ pub(crate) fn load(path: &Path, lenient: bool) -> Result<Loaded, LoadError> {
     let source = source::read(path)?;
     match compile(&source, path, lenient) {
         Ok((description, scene, warnings)) => {
-            Ok(Loaded { description, scene, warnings: text(&warnings, &source, path) })
+            let warnings = text(&warnings, &source, path);
+            Ok(Loaded { text: source, description, scene, warnings })
         }
         Err(diagnostics) => Err(LoadError::Invalid {
             path: path.to_owned(),

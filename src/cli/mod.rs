@@ -6,10 +6,14 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `args.rs`, `render_args.rs`, `compare_args.rs`, `rays_args.rs` | the definition of the command line |
+//! | `args.rs` | the definition of the command line |
+//! | `work_args.rs`, `render_args.rs`, `part_args.rs` | its options of rendering |
+//! | `compare_args.rs`, `rays_args.rs` | those of comparing, and of files of rays |
 //! | `values.rs`, `choice.rs`, `structures.rs`, `near.rs` | what options take: numbers, names, structures, with slips |
 //! | `command_line.rs` | the definition with the structures of this program; what was typed |
-//! | `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
+//! | `work.rs`, `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
+//! | `refine.rs`, `checkpoint.rs`, `origin.rs` | a rendering in passes, saved and gone on with; what it is of |
+//! | `part.rs`, `assemble.rs` | the subcommands for many machines |
 //! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `rays.rs` | the subcommands |
 //! | `check.rs`, `diff.rs`, `mesh.rs` | smaller ones |
 //! | `completions.rs`, `man.rs` | the subcommands that print the definition in other forms |
@@ -19,12 +23,14 @@
 //! | `terminal.rs`, `interrupt.rs`, `progress.rs`, `compare_progress.rs` | the terminal |
 //! | `load.rs`, `source.rs` | a scene from its file |
 //! | `diagnose.rs`, `inventory.rs` | what is wrong with a scene; what is in it |
-//! | `image.rs` | what was rendered → the picture that is written |
+//! | `image.rs`, `picture.rs` | what was rendered → the picture that is written |
 //! | `figures.rs`, `summary.rs` | the figures of a rendering, and their text |
 //! | `exit.rs` | how the command ends |
 
 mod args;
+mod assemble;
 mod check;
+mod checkpoint;
 mod choice;
 mod clipping;
 mod command_line;
@@ -47,11 +53,16 @@ mod man;
 mod mesh;
 mod near;
 mod options;
+mod origin;
 mod output;
+mod part;
+mod part_args;
+mod picture;
 mod progress;
 mod ray_files;
 mod rays;
 mod rays_args;
+mod refine;
 mod render;
 mod render_args;
 mod report;
@@ -61,6 +72,8 @@ mod structures;
 mod summary;
 mod terminal;
 mod values;
+mod work;
+mod work_args;
 
 use std::process::ExitCode;
 
@@ -102,6 +115,8 @@ fn dispatch(structures: &Structures) -> CommandResult {
     let interrupt = Interrupt::install().map_err(Failure::new)?;
     match arguments.command {
         None => render::run(arguments.render, &interrupt),
+        Some(Command::Part(part)) => part::run(part, &interrupt),
+        Some(Command::Assemble(assemble)) => assemble::run(&assemble),
         Some(Command::Check(check)) => check::run(&check),
         Some(Command::Compare(compare)) => compare::run(&compare, &interrupt),
         Some(Command::Conformance(check)) => conformance::run(&check, &interrupt),

@@ -24,7 +24,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// Begins at no pixel of `pixels`. Nothing is shown if `quiet` or if standard error is no
+    /// Begins at no pixel, or no sample of a pixel, of so many. Nothing is shown if `quiet` or if standard error is no
     /// terminal.
     pub(crate) fn start(pixels: u64, quiet: bool, interrupt: Interrupt) -> Self {
         let rays = Arc::new(AtomicU64::new(0));
@@ -37,16 +37,20 @@ impl Progress {
         Self { bar, rays, interrupt }
     }
 
-    /// What to do when the process ends within the rendering: clears the bar, and says how far it came.
-    pub(crate) fn last_words(&self) -> impl Fn() + Send + 'static {
+    /// So many more are rendered.
+    pub(crate) fn advance(&self, rendered: u64) {
+        self.bar.inc(rendered);
+    }
+
+    /// What to do when the process ends within the rendering: clears the bar, and says how far it came, and where to
+    /// read more about that.
+    pub(crate) fn last_words(&self, hint: &'static str) -> impl Fn() + Send + 'static {
         let bar = self.bar.clone();
         move || {
             // Clearing the bar also brings it to its end.
             let share = share(bar.position(), bar.length().unwrap_or(0));
             bar.finish_and_clear();
-            print_message(format_args!(
-                "interrupted: {share} rendered; nothing was written (see --keep-partial)"
-            ));
+            print_message(format_args!("interrupted: {share} rendered; nothing was written{hint}"));
         }
     }
 }

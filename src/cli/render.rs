@@ -4,49 +4,46 @@
 use std::path::Path;
 
 use clap::CommandFactory;
-use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::args::Arguments;
-use super::clipping::ClippingWarning;
 use super::exit::{CommandResult, Exit, Failure};
 use super::figures::Figures;
 use super::interrupt::Interrupt;
-use super::load::{Loaded, load, print_load_error};
+use super::load::Loaded;
 use super::near::nearest;
 use super::options::{RenderOptions, Stats};
 use super::output::{OutputError, print};
 use super::progress::Progress;
+use super::refine::{Begun, Outcome, Refinement, StoppedBy};
 use super::render_args::RenderArguments;
-use super::terminal::{print_message, print_warning};
-use super::{image, summary};
-use crate::image_io::encode;
-use crate::render::{Rendering, Settings, View, render};
-use crate::scene::{BuildError, BuildReport, Scene};
+use super::summary;
+use super::terminal::print_message;
+use crate::render::{Renderer, Settings, render};
+use crate::scene::{BuildReport, Scene};
 
-/// Renders; a rendering that a signal ended is written only with `--keep-partial`.
+/// Renders; a rendering that a signal ended is written only with `--keep-partial` or `--progressive`.
 pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> CommandResult {
     if let Some(failure) = no_such_name(arguments.scene.as_deref()) {
         return Err(failure);
     }
     let options = RenderOptions::new(arguments)?;
-    let pool = pool(options.threads)?;
-    let scene = match pool.install(|| load(&options.scene, options.lenient)) {
-        Ok(Loaded { scene, warnings, .. }) => {
-            if !options.quiet && !warnings.is_empty() {
-                print_message(warnings);
-            }
-            scene
-        }
-        Err(error) => {
-            print_load_error(&error);
-            return Ok(Exit::Trouble);
-        }
-    };
-    let settings = options.settings(&scene)?;
-    let traced = pool.install(|| trace(&scene, &settings, &options, interrupt));
-    let refused = |error| Failure::new(format_args!("`{}`: {error}", options.structure.name));
-    let (build, rendering) = traced.map_err(refused)?;
-    conclude(&settings, options, build, rendering, interrupt)
+    let pool = options.work.pool()?;
+    let Some(loaded) = options.work.load(&pool) else { return Ok(Exit::Trouble) };
+    let (scene, settings, begun) = pool.install(|| begin(&options, loaded))?;
+    let traced = || trace(&scene, &settings, &options, begun.as_ref(), interrupt);
+    let (build, outcome) = pool.install(traced)?;
+    conclude(&settings, &options, &build, outcome, interrupt)
+}
+
+/// What is needed of a scene that was loaded; the rest of it is dropped.
+fn begin(
+    options: &RenderOptions,
+    loaded: Loaded,
+) -> Result<(Scene, Settings, Option<Begun>), Failure> {
+    let settings = options.settings(&loaded.scene)?;
+    let begin = |refinement: &Refinement| refinement.begin(&loaded, &settings, options.work.quiet);
+    let begun = options.refinement.as_ref().map(begin).transpose()?;
+    Ok((loaded.scene, settings, begun))
 }
 
 /// What to say of a scene that is a single word and no file: it was probably meant to be a subcommand.
@@ -70,59 +67,68 @@ fn no_such_name(scene: Option<&Path>) -> Option<Failure> {
     Some(Failure::new(format_args!("there is no scene and no subcommand `{typed}`; {hint}")))
 }
 
-fn pool(threads: usize) -> Result<ThreadPool, Failure> {
-    ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map_err(|error| Failure::new(format_args!("cannot start {threads} threads: {error}")))
-}
-
 /// Builds and renders, on the threads of the current pool.
 fn trace(
     scene: &Scene,
     settings: &Settings,
     options: &RenderOptions,
+    begun: Option<&Begun>,
     interrupt: &Interrupt,
-) -> Result<(BuildReport, Rendering), BuildError> {
-    let world = options.structure.try_build(scene, &options.build)?;
-    let progress = Progress::start(settings.region().pixels(), options.quiet, interrupt.clone());
+) -> Result<(BuildReport, Outcome), Failure> {
+    let name = options.work.structure.name;
+    let built = options.work.structure.try_build(scene, &options.work.build);
+    let world = built.map_err(|error| Failure::new(format_args!("`{name}`: {error}")))?;
+    let quiet = options.work.quiet;
+    if let (Some(refinement), Some(begun)) = (&options.refinement, begun) {
+        let renderer = Renderer::new(scene, &*world, settings);
+        let watched = (quiet, interrupt);
+        let outcome = refinement.run(begun, &renderer, settings, &options.picture, watched)?;
+        return Ok((world.build_report(), outcome));
+    }
+    let progress = Progress::start(settings.region().pixels(), quiet, interrupt.clone());
     let render = || render(scene, &*world, settings, &progress);
     // What will not be written is not worth waiting for: the process ends at once.
-    let rendering = interrupt.with_last_words(progress.last_words(), || {
+    let rendering = interrupt.with_last_words(progress.last_words(" (see --keep-partial)"), || {
         if options.keep_partial { interrupt.cancellable(render) } else { render() }
     });
-    Ok((world.build_report(), rendering))
+    let stopped_by = (!rendering.complete).then_some(StoppedBy::Signal);
+    Ok((world.build_report(), Outcome { rendering, stopped_by, noise: None, not_saved: None }))
 }
 
 /// Writes the picture, and prints the figures.
 fn conclude(
     settings: &Settings,
-    options: RenderOptions,
-    build: BuildReport,
-    rendering: Rendering,
+    options: &RenderOptions,
+    build: &BuildReport,
+    outcome: Outcome,
     interrupt: &Interrupt,
 ) -> CommandResult {
-    let figures = Figures::new(&options, settings, &build, &rendering);
-    let (mut picture, scale) = image::picture(rendering.image, settings.view, options.format);
-    let figures = figures.with_scale(scale);
-    let is_light = settings.view == View::Color && !options.quiet;
-    let clipping = ClippingWarning::of(&picture, options.tone, options.format).filter(|_| is_light);
-    options.tone.apply(&mut picture);
-    let bytes = encode(&picture, options.format).map_err(Failure::new)?;
-    options.output.write(|to| to.write_all(&bytes))?;
+    let figures = Figures::new(options, settings, build, &outcome);
+    let Outcome { rendering, stopped_by, noise, not_saved } = outcome;
+    let refinement = options.refinement.as_ref();
+    let is_kept = options.keep_partial || refinement.is_none_or(|own| own.progressive);
+    let remarks = if is_kept || stopped_by.is_none() {
+        Some(options.picture.write(rendering.image, settings.view)?)
+    } else {
+        None
+    };
+    let figures = figures.with_scale(remarks.as_ref().and_then(|remarks| remarks.scale));
     if let Some(stats) = options.stats {
         print_stats(&figures, stats)?;
     }
-    if !options.quiet {
-        if let Some(clipping) = clipping {
-            print_warning(clipping);
-        }
-        if let Some(scale) = scale {
-            print_message(image::legend(settings.view, scale));
+    if !options.work.quiet {
+        if let Some(remarks) = &remarks {
+            remarks.print();
         }
         print_message(summary::line(&figures));
+        if let Some(refinement) = refinement {
+            refinement.say_what_is_left(stopped_by, noise, settings, remarks.is_some());
+        }
     }
-    Ok(if figures.partial { interrupt.exit() } else { Exit::Fine })
+    if let Some(failure) = not_saved {
+        return Err(failure);
+    }
+    Ok(if stopped_by == Some(StoppedBy::Signal) { interrupt.exit() } else { Exit::Fine })
 }
 
 fn print_stats(figures: &Figures, stats: Stats) -> Result<(), Failure> {

@@ -14,12 +14,7 @@ use crate::report::{Cell, Table};
 /// Size, structure, build time, render time, rays by class, million rays a second.
 pub(crate) fn line(figures: &Figures) -> String {
     let pixels = u64::from(figures.width) * u64::from(figures.height);
-    let rendered = || share(figures.rendered_pixels, pixels);
-    let partial = if figures.partial {
-        format!(" (interrupted: {} rendered)", rendered())
-    } else {
-        String::new()
-    };
+    let partial = how_far(figures, pixels);
     let share = quotient(figures.thread_seconds.tracing, figures.thread_seconds.total);
     let tracing = share.map_or(String::new(), |s| format!(" ({:.0} % of it tracing)", 100.0 * s));
     plain(&format!(
@@ -32,6 +27,33 @@ pub(crate) fn line(figures: &Figures) -> String {
         rays(figures),
         ray_rate(figures.rays, figures.render_seconds),
     ))
+}
+
+/// ` (interrupted: 37 % rendered)`, ` (stopped by --time: 34 % rendered, 5.4 of 16 samples a pixel, noise 0.0130)`, or
+/// nothing of a picture that is whole and of unknown noise.
+fn how_far(figures: &Figures, pixels: u64) -> String {
+    let noise = figures.noise.map(|noise| format!("noise {}", numbers::figures(noise)));
+    let Some(by) = figures.stopped_by else {
+        return noise.map_or(String::new(), |noise| format!(" ({noise})"));
+    };
+    let all = figures.all_samples_per_pixel;
+    let samples = (figures.samples_per_pixel * pixels as f64).round() as u64;
+    let mut text = match by {
+        "signal" => " (interrupted: ".to_owned(),
+        by => format!(" (stopped by --{by}: "),
+    };
+    text += &format!("{} rendered", share(samples, pixels * u64::from(all)));
+    if figures.rendered_pixels * u64::from(all) != samples {
+        text += &format!(", {:.1} of {all} samples a pixel", figures.samples_per_pixel);
+        if figures.rendered_pixels < pixels {
+            text +=
+                &format!(", none of {} of them", share(pixels - figures.rendered_pixels, pixels));
+        }
+    }
+    if let Some(noise) = noise {
+        text = format!("{text}, {noise}");
+    }
+    text + ")"
 }
 
 /// A speed in rays: `12.3 M rays/s`. No time gives no speed.
@@ -214,9 +236,26 @@ mod tests {
     fn the_line_of_a_stopped_rendering_shows_that() {
         let mut figures = example();
         (figures.partial, figures.rays, figures.rendered_pixels) = (true, 0, 177_601);
+        (figures.stopped_by, figures.all_samples_per_pixel) = (Some("signal"), 4);
+        figures.samples_per_pixel = 4.0 * 177_601.0 / 480_000.0;
         figures.classes.clear();
         let part = "rendered in 1.25 s (61 % of it tracing) (interrupted: 37 % rendered), 0 rays, ";
         assert!(line(&figures).contains(part));
+    }
+
+    #[test]
+    fn the_line_of_a_refined_rendering_shows_its_noise_and_what_stopped_it() {
+        let mut figures = example();
+        figures.noise = Some(0.0123);
+        assert!(line(&figures).contains("(61 % of it tracing) (noise 0.0123), 9.92 M rays"));
+        (figures.stopped_by, figures.all_samples_per_pixel) = (Some("time"), 16);
+        figures.samples_per_pixel = 5.36;
+        let part = "(stopped by --time: 33 % rendered, 5.4 of 16 samples a pixel, noise 0.0123), 9";
+        assert!(line(&figures).contains(part), "{}", line(&figures));
+        (figures.rendered_pixels, figures.samples_per_pixel) = (240_000, 0.75);
+        let part =
+            "(stopped by --time: 4 % rendered, 0.8 of 16 samples a pixel, none of 50 % of them, ";
+        assert!(line(&figures).contains(part), "{}", line(&figures));
     }
 
     #[test]

@@ -7,8 +7,8 @@ use std::time::Duration;
 
 use crate::assets::generate::{MAX_TRIANGLES, read_count};
 use crate::description::Camera;
+use crate::film::{Crop, Share};
 use crate::image_io::Tone;
-use crate::render::Crop;
 
 /// A value that could not be read, and what would be right.
 #[derive(Debug, thiserror::Error, PartialEq, Eq)]
@@ -42,6 +42,15 @@ pub(crate) enum ValueError {
     /// Not a time.
     #[error("expected a number of seconds above 0, such as 90 or 2.5")]
     Seconds,
+    /// Not a time with its unit.
+    #[error("expected a time above 0 with its unit, such as 30s, 5m or 2h")]
+    Time,
+    /// Not a standard error.
+    #[error("expected an error above 0 and below 1, such as 0.01")]
+    Noise,
+    /// Not a part of so many.
+    #[error("expected a part and their number, such as 3/7, with at most {}", Share::MOST)]
+    Share,
     /// Not two sizes of meshes.
     #[error("expected two numbers of triangles, the smaller first, up to 100M, such as 1k..10M")]
     Sizes,
@@ -122,6 +131,31 @@ pub(super) fn seconds(text: &str) -> Result<Duration, ValueError> {
     let seconds: f64 = text.trim().parse().map_err(|_| ValueError::Seconds)?;
     let fits = seconds > 0.0 && seconds <= YEAR;
     if fits { Ok(Duration::from_secs_f64(seconds)) } else { Err(ValueError::Seconds) }
+}
+
+/// Reads a time with its unit, `30s`, `1.5m` or `2h`; a number alone is in seconds.
+pub(super) fn time(text: &str) -> Result<Duration, ValueError> {
+    let text = text.trim();
+    let units = [("ms", 0.001), ("s", 1.0), ("m", 60.0), ("h", 3600.0)];
+    let unit = units.iter().find_map(|(unit, length)| Some((text.strip_suffix(unit)?, length)));
+    let (number, length) = unit.unwrap_or((text, &1.0));
+    let number: f64 = number.trim_end().parse().map_err(|_| ValueError::Time)?;
+    seconds(&(number * length).to_string()).map_err(|_| ValueError::Time)
+}
+
+/// Reads a standard error of a pixel's luminance.
+pub(super) fn noise(text: &str) -> Result<f64, ValueError> {
+    let noise = text.trim().parse().ok().filter(|&noise: &f64| noise > 0.0 && noise < 1.0);
+    noise.ok_or(ValueError::Noise)
+}
+
+/// Reads a part of so many, `3/7`.
+pub(super) fn share(text: &str) -> Result<Share, ValueError> {
+    let (part, count) = text.split_once('/').ok_or(ValueError::Share)?;
+    let (part, count) = (number(part), number(count));
+    let (Some(part), Some(count)) = (part, count) else { return Err(ValueError::Share) };
+    let fits = (1..=count).contains(&part) && count <= Share::MOST;
+    if fits { Ok(Share { number: part, count }) } else { Err(ValueError::Share) }
 }
 
 /// Reads where a ray begins or ends, in units of its direction.
@@ -230,6 +264,29 @@ mod tests {
         assert_eq!((percent("10%"), percent("0"), percent("2.5 %")), (Ok(0.1), Ok(0.0), Ok(0.025)));
         for bad in ["", "%", "-1%", "nan", "inf%", "ten"] {
             assert_eq!(percent(bad), Err(ValueError::Percent), "{bad}");
+        }
+    }
+
+    #[test]
+    fn times_with_units_and_shares() {
+        for (text, milliseconds) in
+            [("30s", 30_000), ("1.5m", 90_000), ("2h", 7_200_000), ("9", 9_000), (" 50 ms ", 50)]
+        {
+            assert_eq!(time(text), Ok(Duration::from_millis(milliseconds)), "{text}");
+        }
+        for bad in ["", "s", "0s", "-1s", "nan", "infs", "5d", "1e9h", "3 0s x"] {
+            assert_eq!(time(bad), Err(ValueError::Time), "{bad}");
+        }
+        assert_eq!(
+            (share("3/7"), share("1/1")),
+            (Ok(Share { number: 3, count: 7 }), share(" 1 / 1 "))
+        );
+        for bad in ["", "3", "/", "0/7", "8/7", "-1/7", "1/0", "1/1000001", "1/7/9", "a/b"] {
+            assert_eq!(share(bad), Err(ValueError::Share), "{bad}");
+        }
+        assert_eq!(noise("0.01"), Ok(0.01));
+        for bad in ["", "0", "1", "-0.1", "nan", "x"] {
+            assert_eq!(noise(bad), Err(ValueError::Noise), "{bad}");
         }
     }
 

@@ -97,7 +97,7 @@ mod sweep;
 mod trace;
 mod trial;
 
-pub use machine::disturbances;
+pub use machine::{disturbances, machine};
 pub use observer::{Observer, Silent};
 pub(crate) use panics::catch_panic;
 pub(crate) use picture_file::{heatmap_name, picture_name};

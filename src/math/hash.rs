@@ -35,6 +35,12 @@ impl Random {
         hash_u64(self.0)
     }
 
+    /// Leaves out so many steps of the stream.
+    #[inline]
+    pub(crate) fn skip(&mut self, steps: u64) {
+        self.0 = self.0.wrapping_add(GOLDEN_GAMMA.wrapping_mul(steps));
+    }
+
     /// Uniform in [0, 1), on a grid of 2⁻²⁴.
     #[inline]
     pub fn next_f32(&mut self) -> f32 {
@@ -78,6 +84,16 @@ mod tests {
         let mut r = Random(1_234_567);
         assert_eq!(r.next_u64(), 6_457_827_717_110_365_317);
         assert_eq!(r.next_u64(), 3_203_168_211_198_807_973);
+    }
+
+    #[test]
+    fn steps_are_left_out_as_if_they_were_taken() {
+        let (mut walked, mut skipped) = (Random::new(&[5]), Random::new(&[5]));
+        for _ in 0..1_000 {
+            walked.next_u64();
+        }
+        skipped.skip(1_000);
+        assert_eq!(walked.next_u64(), skipped.next_u64());
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! A batch of view samples, followed wave by wave to its colours.
 
+use std::ops::Range;
+
 use crate::math::Color;
 
 use super::frame::Frame;
@@ -31,15 +33,16 @@ impl Batch {
         }
     }
 
-    /// The colours of all samples of some pixels, pixel by pixel.
+    /// The colours of some samples of some pixels, pixel by pixel.
     pub(super) fn run(
         &mut self,
         frame: &Frame<'_>,
         tracer: &mut MeasuredTracer<'_>,
         pixels: &[Pixel],
+        samples: &Range<u32>,
     ) -> &[Color] {
-        self.make_view_rays(frame, pixels);
-        self.shading.begin(frame, pixels);
+        self.make_view_rays(frame, pixels, samples);
+        self.shading.begin(frame, pixels, samples);
         tracer.lap(Stage::MakingRays);
         for bounce in 0..=frame.settings.max_recursion {
             self.follow(frame, tracer, bounce < frame.settings.max_recursion);
@@ -48,10 +51,10 @@ impl Batch {
         self.shading.colors()
     }
 
-    fn make_view_rays(&mut self, frame: &Frame<'_>, pixels: &[Pixel]) {
+    fn make_view_rays(&mut self, frame: &Frame<'_>, pixels: &[Pixel], samples: &Range<u32>) {
         self.view.clear();
         for &pixel in pixels {
-            for (key, ray) in frame.view_rays.of_pixel(pixel) {
+            for (key, ray) in frame.view_rays.of_pixel(pixel, samples.clone()) {
                 let sample = self.view.rays.len() as u32;
                 self.view.push(ray, Path::from_eye(sample, key));
             }

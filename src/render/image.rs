@@ -1,9 +1,10 @@
-//! What a rendering shows, and how it is assembled from tiles.
+//! What a rendering shows.
 
+use crate::film::Film;
 use crate::image_io::Picture;
 use crate::math::Color;
 
-use super::{Crop, View};
+use super::View;
 
 /// What a rendering shows, pixel by pixel. The [`View`] decides whether it is colours or scalars.
 ///
@@ -25,55 +26,33 @@ pub enum Image {
     },
 }
 
-/// An image while tiles are put into it.
-pub(super) struct ImageBuilder {
-    region: Crop,
-    is_scalar: bool,
-    /// The colours, or the scalars in every component.
-    picture: Picture,
-}
-
-impl ImageBuilder {
-    /// The image of a region without tiles: black, or NaN in scalars.
-    pub(super) fn new(region: Crop, view: View) -> Self {
-        let is_scalar = matches!(view, View::Depth | View::Heatmap);
-        let missing = if is_scalar { Color::NAN } else { Color::ZERO };
-        let (width, height) = (region.width(), region.height());
-        let pixels = vec![missing; width as usize * height as usize];
-        Self { region, is_scalar, picture: Picture { width, height, pixels } }
-    }
-
-    /// Puts in the pixels of a tile of the region, row by row.
-    pub(super) fn put(&mut self, tile: Crop, pixels: &[Color]) {
-        let (x, width) = ((tile.x0 - self.region.x0) as usize, tile.width() as usize);
-        let first_row = (tile.y0 - self.region.y0) as usize;
-        for (y, row) in (first_row..).zip(pixels.chunks(width)) {
-            let first = y * self.region.width() as usize + x;
-            self.picture.pixels[first..first + width].copy_from_slice(row);
+impl Image {
+    /// What a film shows. Where it has nothing, colours are black, and scalars NaN.
+    #[must_use]
+    pub fn of(film: &Film, view: View) -> Self {
+        let (width, height) = (film.region().width(), film.region().height());
+        if matches!(view, View::Depth | View::Heatmap) {
+            let values = film.means(Color::NAN).iter().map(|pixel| pixel.x).collect();
+            return Self::Scalar { width, height, values };
         }
-    }
-
-    pub(super) fn finish(self) -> Image {
-        if !self.is_scalar {
-            return Image::Color(self.picture);
-        }
-        let Picture { width, height, pixels } = self.picture;
-        Image::Scalar { width, height, values: pixels.iter().map(|pixel| pixel.x).collect() }
+        Self::Color(Picture { width, height, pixels: film.means(Color::ZERO) })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::film::{Crop, Part, Piece, Values};
     use crate::render::{Scale, Spacing};
 
     /// A tile of 16 × 2 pixels in an image of 20 × 2, of which the rest was not rendered.
     fn half_rendered(view: View) -> Image {
         let tile = Crop { x0: 3, y0: 1, x1: 19, y1: 3 };
-        let mut image = ImageBuilder::new(Crop { x1: 23, ..tile }, view);
+        let film = Film::new(Crop { x1: 23, ..tile }, 1);
         let pixels: Vec<_> = (0..32).map(|i| Color::splat(5.0 + i as f32)).collect();
-        image.put(tile, &pixels);
-        image.finish()
+        let piece = Piece { area: tile, samples: 0..1 };
+        film.take(Part { piece, values: Values::Sums(pixels) }).unwrap();
+        Image::of(&film, view)
     }
 
     #[test]

@@ -12,6 +12,8 @@
 //!
 //! *Independent*: m × m jittered points, made for each view sample and light separately.
 
+use std::ops::Range;
+
 use crate::math::Random;
 
 use super::Sampling;
@@ -79,6 +81,18 @@ impl LightSamples {
     /// Assigns samples of a light to the view samples of a pixel: a table, in a random order
     /// (Fisher-Yates). They are appended to those of earlier pixels.
     pub fn assign(&self, pixel: u64, light: usize, assignment: &mut SampleAssignment) {
+        let all = 0..(self.view_side * self.view_side) as u32;
+        self.assign_some(pixel, light, all, assignment);
+    }
+
+    /// The same for some view samples of the pixel alone, by their numbers. They take what they take among all.
+    pub(super) fn assign_some(
+        &self,
+        pixel: u64,
+        light: usize,
+        views_to_assign: Range<u32>,
+        assignment: &mut SampleAssignment,
+    ) {
         if self.sampling == Sampling::Independent {
             return;
         }
@@ -92,6 +106,8 @@ impl LightSamples {
         for last in (1..order.len()).rev() {
             order.swap(last, random.below(last as u32 + 1) as usize);
         }
+        assignment.firsts.truncate(before + views_to_assign.end as usize);
+        assignment.firsts.drain(before..before + views_to_assign.start as usize);
     }
 
     /// The samples of one light for one path, as points of the unit square.

@@ -7,22 +7,22 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `rendering.rs`, `image.rs`, `tiles.rs` | tiles to threads, and back to an image |
-//! | `tile_renderer.rs` | a thread's part: pixels to batches |
+//! | `rendering.rs`, `image.rs` | a whole picture, from tiles to an image |
+//! | `renderer.rs` | pieces of a picture to threads, and to whoever wants them |
+//! | `tile_renderer.rs`, `tiles.rs` | a thread's part: pixels to batches |
 //! | `hit_views.rs` | what a pixel hit, instead of its colour |
 //! | `batch.rs` | a batch of view samples, wave by wave |
 //! | `view_rays.rs`, `secondary_rays.rs`, `path.rs`, `wave.rs`, `optics.rs` | rays and their paths |
 //! | `shading.rs`, `shading_material.rs`, `exponent.rs` | hits to colours |
 //! | `direct_light/`, `light_samples.rs` | lights and shadow rays |
 //! | `measured_tracer.rs`, `stats.rs`, `times.rs`, `stopwatch.rs` | tracing, counted and timed |
-//! | `settings.rs`, `crop.rs`, `sampling.rs`, `view.rs` | what is to be rendered |
+//! | `settings.rs`, `sampling.rs`, `view.rs` | what is to be rendered |
 //! | `color_map.rs` | scalars to colours |
 //!
 //! Knows no file format and no terminal. Progress goes to an [`Observer`].
 
 mod batch;
 mod color_map;
-mod crop;
 mod direct_light;
 mod exponent;
 mod frame;
@@ -33,6 +33,7 @@ mod measured_tracer;
 mod observer;
 mod optics;
 mod path;
+mod renderer;
 mod rendering;
 mod sampling;
 mod secondary_rays;
@@ -49,10 +50,10 @@ mod view_rays;
 mod wave;
 
 pub use color_map::{Scale, heat_picture};
-pub use crop::Crop;
 pub use image::Image;
 pub use light_samples::{LightSamples, SampleAssignment};
 pub use observer::{Observer, Silent};
+pub use renderer::{Kept, Renderer};
 pub use rendering::{Rendering, render};
 pub use sampling::Sampling;
 pub use settings::Settings;
@@ -61,4 +62,5 @@ pub use tiles::pixel_order;
 pub use times::{Stage, StageTimes};
 pub use view::View;
 
+pub use crate::film::Crop;
 pub use crate::record::{RayClass, Spacing};

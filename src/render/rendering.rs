@@ -1,18 +1,12 @@
-//! From a scene and a structure to an image: threads render tiles, which are assembled.
+//! From a scene and a structure to an image, in one go.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
-
 use crate::accel::Tracer;
+use crate::film::Film;
 use crate::scene::Scene;
 
-use super::frame::Frame;
-use super::image::ImageBuilder;
-use super::tile_renderer::{Tile, TileRenderer};
-use super::tiles::tiles_of;
-use super::{Crop, Image, Observer, RenderStats, Settings};
+use super::{Image, Kept, Observer, RenderStats, Renderer, Settings};
 
 /// What was rendered.
 #[derive(Clone, Debug)]
@@ -23,6 +17,8 @@ pub struct Rendering {
     pub complete: bool,
     /// The pixels of the tiles that were rendered.
     pub pixels: u64,
+    /// The samples that were rendered, over all pixels.
+    pub samples: u64,
     /// What the rays did.
     pub stats: RenderStats,
 }
@@ -44,41 +40,21 @@ pub fn render(
     );
     assert!(region.pixels() <= Settings::MAX_PIXELS, "more pixels than memory is trusted to hold");
     let start = Instant::now();
-    let frame = Frame::new(scene, settings);
-    let areas = tiles_of(region);
-    let tiles = render_tiles(&frame, tracer, observer, &areas);
-    let complete = tiles.len() == areas.len();
-    let mut image = ImageBuilder::new(region, settings.view);
-    let mut stats = RenderStats::default();
-    let pixels = tiles.iter().map(|tile| tile.area.pixels()).sum();
-    for tile in tiles {
-        image.put(tile.area, &tile.pixels);
-        stats.merge(&tile.stats);
-    }
+    let film = Film::new(region, settings.film_samples());
+    let renderer = Renderer::new(scene, tracer, settings);
+    let pieces = film.missing(film.samples());
+    let mut stats = renderer.render(&pieces, Kept::Sums, observer, &|part| {
+        let taken = film.take(part);
+        debug_assert_eq!(taken, Ok(()), "the pieces are the film's own");
+    });
+    let coverage = film.coverage();
+    let image = Image::of(&film, settings.view);
     stats.time = start.elapsed();
-    Rendering { image: image.finish(), complete, pixels, stats }
-}
-
-/// Renders tiles on all threads. Each thread takes the next tile from one counter, until there are
-/// no more or the observer stops it.
-fn render_tiles(
-    frame: &Frame<'_>,
-    tracer: &dyn Tracer,
-    observer: &dyn Observer,
-    areas: &[Crop],
-) -> Vec<Tile> {
-    let next = AtomicUsize::new(0);
-    let on_thread = |_| {
-        let mut renderer = TileRenderer::new(frame, tracer, observer);
-        let mut tiles = Vec::new();
-        while let Some(&area) = areas.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let Some(tile) = renderer.render(area) else { break };
-            observer.tile_done(area.pixels(), tile.stats.total_rays());
-            tiles.push(tile);
-        }
-        tiles
-    };
-    let threads = rayon::current_num_threads();
-    let parts: Vec<_> = (0..threads).into_par_iter().with_max_len(1).map(on_thread).collect();
-    parts.into_iter().flatten().collect()
+    Rendering {
+        image,
+        complete: coverage.is_complete(),
+        pixels: coverage.pixels,
+        samples: coverage.samples,
+        stats,
+    }
 }

@@ -68,4 +68,11 @@ impl Settings {
     pub fn samples_per_pixel(&self) -> u32 {
         self.aa.max(1).pow(2)
     }
+
+    /// The samples that a [`Film`](crate::film::Film) adds up for each pixel: its view samples if it shows their
+    /// colour, and 1 if it shows what one ray hit or what all of them tested.
+    #[must_use]
+    pub fn film_samples(&self) -> u32 {
+        if self.view == View::Color { self.samples_per_pixel() } else { 1 }
+    }
 }

@@ -2,6 +2,8 @@
 //!
 //! Does not know how paths go on from what they hit.
 
+use std::ops::Range;
+
 use crate::accel::Answers;
 use crate::math::{Color, Hit};
 
@@ -35,12 +37,11 @@ impl Shading {
         }
     }
 
-    /// Begins a batch, all samples of some pixels: they are black.
-    pub(super) fn begin(&mut self, frame: &Frame<'_>, pixels: &[Pixel]) {
-        let samples = pixels.len() * frame.settings.samples_per_pixel() as usize;
+    /// Begins a batch, some samples of some pixels: they are black.
+    pub(super) fn begin(&mut self, frame: &Frame<'_>, pixels: &[Pixel], samples: &Range<u32>) {
         self.colors.clear();
-        self.colors.resize(samples, Color::ZERO);
-        self.direct_light.assign_samples(frame, pixels);
+        self.colors.resize(pixels.len() * samples.len(), Color::ZERO);
+        self.direct_light.assign_samples(frame, pixels, samples);
     }
 
     /// Traces and shades a wave.

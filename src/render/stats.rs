@@ -54,8 +54,8 @@ impl RenderStats {
         })
     }
 
-    /// Adds the rays of another part of the rendering.
-    pub(super) fn merge(&mut self, other: &Self) {
+    /// Adds the rays of another part of the rendering; the wall time stays as it is.
+    pub fn merge(&mut self, other: &Self) {
         for (sum, class) in self.classes.iter_mut().zip(&other.classes) {
             sum.rays += class.rays;
             sum.hits += class.hits;

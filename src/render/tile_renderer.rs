@@ -1,6 +1,9 @@
-//! Renders tiles on one thread: pixels to batches of samples, and samples to pixels.
+//! Renders pieces on one thread: pixels to batches of samples, and samples to the values of a part.
+
+use std::ops::Range;
 
 use crate::accel::Tracer;
+use crate::film::{Part, Piece, Values};
 use crate::math::Color;
 
 use super::batch::Batch;
@@ -9,7 +12,7 @@ use super::hit_views::render_hits;
 use super::measured_tracer::MeasuredTracer;
 use super::tiles::pixels_of;
 use super::view_rays::Pixel;
-use super::{Crop, Observer, RenderStats, Stage, View};
+use super::{Kept, Observer, RenderStats, Stage, View};
 
 /// View samples in a batch: enough for waves, few enough for a core's cache.
 const SAMPLES_AT_ONCE: usize = 1024;
@@ -19,14 +22,6 @@ pub(super) struct TileRenderer<'a> {
     frame: &'a Frame<'a>,
     tracer: MeasuredTracer<'a>,
     batch: Batch,
-}
-
-/// A tile after it was rendered.
-pub(super) struct Tile {
-    pub(super) area: Crop,
-    /// Row by row.
-    pub(super) pixels: Vec<Color>,
-    pub(super) stats: RenderStats,
 }
 
 impl<'a> TileRenderer<'a> {
@@ -42,67 +37,82 @@ impl<'a> TileRenderer<'a> {
     }
 
     /// `None` if the rendering is cancelled.
-    pub(super) fn render(&mut self, area: Crop) -> Option<Tile> {
-        let order = pixels_of(area);
-        let colors = match self.frame.settings.view {
-            View::Color => self.colors(&order),
+    pub(super) fn render(&mut self, piece: &Piece, kept: Kept) -> Option<(Part, RenderStats)> {
+        let Piece { area, samples } = piece;
+        let order = pixels_of(*area);
+        let keeps_samples = kept == Kept::Samples || samples.start > 0;
+        let found = match self.frame.settings.view {
+            View::Color => self.colors(&order, samples, keeps_samples),
             View::Heatmap => self.test_counts(&order),
             view => render_hits(self.frame, &mut self.tracer, &order, view),
         };
         if self.tracer.was_cancelled() {
             return None;
         }
-        let mut pixels = vec![Color::ZERO; colors.len()];
-        for (pixel, color) in order.iter().zip(colors) {
-            pixels[((pixel.y - area.y0) * area.width() + (pixel.x - area.x0)) as usize] = color;
+        let of_pixel = found.len() / order.len();
+        let mut values = vec![Color::ZERO; found.len()];
+        for (pixel, found) in order.iter().zip(found.chunks(of_pixel)) {
+            let place = (pixel.y - area.y0) * area.width() + (pixel.x - area.x0);
+            values[place as usize * of_pixel..][..of_pixel].copy_from_slice(found);
         }
+        let values = if keeps_samples { Values::Samples(values) } else { Values::Sums(values) };
         self.tracer.lap(Stage::Rest);
-        Some(Tile { area, pixels, stats: self.tracer.take_stats() })
+        Some((Part { piece: piece.clone(), values }, self.tracer.take_stats()))
     }
 
-    fn colors(&mut self, pixels: &[Pixel]) -> Vec<Color> {
-        self.render_pixels(pixels, SAMPLES_AT_ONCE, |_, color| color)
+    /// The samples of each pixel, or their sums.
+    fn colors(
+        &mut self,
+        pixels: &[Pixel],
+        samples: &Range<u32>,
+        keeps_samples: bool,
+    ) -> Vec<Color> {
+        self.render_pixels(pixels, samples, SAMPLES_AT_ONCE, |_, colors, found| {
+            if keeps_samples {
+                found.extend(colors);
+            } else {
+                found.push(colors.iter().sum());
+            }
+        })
     }
 
     /// The number of tests that all rays of each pixel took.
     fn test_counts(&mut self, pixels: &[Pixel]) -> Vec<Color> {
         let mut before = 0;
-        let one_pixel = self.frame.settings.samples_per_pixel() as usize;
-        self.render_pixels(pixels, one_pixel, |stats, _| {
+        let all = 0..self.frame.settings.samples_per_pixel();
+        self.render_pixels(pixels, &all, all.len(), |stats, _, found| {
             let tests = stats.total_tests();
             let sum = tests.boxes + tests.primitives;
             let own = sum - before;
             before = sum;
-            Color::splat(own as f32)
+            found.push(Color::splat(own as f32));
         })
     }
 
-    /// Renders pixels in batches of at most `at_once` samples, but of at least one pixel.
+    /// Renders some samples of pixels in batches of at most `at_once` samples, but of at least one pixel.
     ///
-    /// A pixel's colour is the mean of its samples, added in their order; how pixels are divided
-    /// into batches never matters. `value` turns the statistics after a batch and a pixel's colour
-    /// into what the pixel shows. It sees each pixel's own statistics only if batches are single
-    /// pixels. If the rendering is cancelled, there are fewer values than pixels.
+    /// A pixel's samples are added in their order; how pixels are divided into batches never matters. `add` turns the
+    /// statistics after a batch and a pixel's samples into what is found of it, always equally much. It sees each
+    /// pixel's own statistics only if batches are single pixels. If the rendering is cancelled, less is found.
     fn render_pixels(
         &mut self,
         pixels: &[Pixel],
+        samples: &Range<u32>,
         at_once: usize,
-        mut value: impl FnMut(&RenderStats, Color) -> Color,
+        mut add: impl FnMut(&RenderStats, &[Color], &mut Vec<Color>),
     ) -> Vec<Color> {
-        let per_pixel = self.frame.settings.samples_per_pixel() as usize;
-        let pixels_at_once = (at_once / per_pixel).max(1);
-        let mut values = Vec::with_capacity(pixels.len());
+        let pixels_at_once = (at_once / samples.len()).max(1);
+        let mut found = Vec::with_capacity(pixels.len());
         for pixels in pixels.chunks(pixels_at_once) {
             if self.tracer.is_cancelled() {
                 break;
             }
-            let colors = self.batch.run(self.frame, &mut self.tracer, pixels);
-            for samples in colors.chunks(per_pixel) {
-                let mean = samples.iter().sum::<Color>() / per_pixel as f32;
-                values.push(value(self.tracer.stats(), mean));
+            let colors = self.batch.run(self.frame, &mut self.tracer, pixels, samples);
+            for colors in colors.chunks(samples.len()) {
+                add(self.tracer.stats(), colors, &mut found);
             }
             self.tracer.lap(Stage::Rest);
         }
-        values
+        found
     }
 }

@@ -1,25 +1,8 @@
-//! The picture in tiles, and the order of the pixels of a tile.
+//! The order of the pixels of a tile, and so of a picture.
 
-use super::Crop;
+use crate::film::{Crop, TILE_SIDE, tiles_of};
+
 use super::view_rays::Pixel;
-
-/// Side of a tile in pixels.
-const SIDE: u32 = 16;
-
-/// The tiles of a region, row by row. Those at its right and bottom ends may be smaller.
-pub(super) fn tiles_of(region: Crop) -> Vec<Crop> {
-    let columns = || (region.x0..region.x1).step_by(SIDE as usize);
-    let rows = (region.y0..region.y1).step_by(SIDE as usize);
-    rows.flat_map(|y0| {
-        columns().map(move |x0| Crop {
-            x0,
-            y0,
-            x1: (x0 + SIDE).min(region.x1),
-            y1: (y0 + SIDE).min(region.y1),
-        })
-    })
-    .collect()
-}
 
 /// The columns and rows of a picture's pixels, in the order in which a single thread renders them.
 pub fn pixel_order(width: u32, height: u32) -> impl Iterator<Item = [u32; 2]> {
@@ -31,7 +14,7 @@ pub fn pixel_order(width: u32, height: u32) -> impl Iterator<Item = [u32; 2]> {
 /// so the rays through them are coherent.
 pub(super) fn pixels_of(tile: Crop) -> Vec<Pixel> {
     let even_bits = |code: u32| (0..16).fold(0, |bits, i| bits | (code >> (2 * i) & 1) << i);
-    (0..SIDE * SIDE)
+    (0..TILE_SIDE * TILE_SIDE)
         .map(|code| Pixel { x: tile.x0 + even_bits(code), y: tile.y0 + even_bits(code >> 1) })
         .filter(|pixel| pixel.x < tile.x1 && pixel.y < tile.y1)
         .collect()

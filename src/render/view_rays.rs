@@ -1,5 +1,7 @@
 //! From a pixel to the rays of its samples.
 
+use std::ops::Range;
+
 use glam::{DVec2, Vec2, Vec3};
 
 use crate::math::{Random, Ray, unit_pair};
@@ -48,16 +50,22 @@ impl ViewRays {
         Self { camera, seed: settings.seed, cells, cell_side, steps }
     }
 
-    /// For each sample of a pixel its random key, and the ray through a random place in its cell.
+    /// For some samples of a pixel, by their numbers, the random key, and the ray through a random place in the
+    /// sample's cell.
     ///
     /// The way from the pixel's centre is added in `f32`: it is so short that its error is far
     /// below that of the direction's last rounding.
     #[inline]
-    pub(super) fn of_pixel(&self, pixel: Pixel) -> impl Iterator<Item = (u64, Ray)> {
+    pub(super) fn of_pixel(
+        &self,
+        pixel: Pixel,
+        samples: Range<u32>,
+    ) -> impl Iterator<Item = (u64, Ray)> {
         let center = self.through_center(pixel);
         let [right, up] = self.steps;
         let mut keys = Random::new(&[self.seed, pixel.key()]);
-        self.cells.iter().map(move |&cell| {
+        keys.skip(samples.start.into());
+        self.cells[samples.start as usize..samples.end as usize].iter().map(move |&cell| {
             let key = keys.next_u64();
             let place = cell + Vec2::from_array(unit_pair(key)) * self.cell_side;
             (key, Ray { dir: center.dir + (place.x * right + place.y * up), ..center })
@@ -120,10 +128,10 @@ mod tests {
     fn one_sample_goes_through_the_centre() {
         let rays = view_rays(0);
         let pixel = Pixel { x: 6, y: 1 };
-        let (_, ray) = rays.of_pixel(pixel).next().unwrap();
+        let (_, ray) = rays.of_pixel(pixel, 0..1).next().unwrap();
         assert!(place(&ray).distance(DVec2::new(6.5, 1.5)) < 1e-6);
         assert_eq!(ray, rays.through_center(pixel));
-        assert_eq!(rays.of_pixel(pixel).count(), 1);
+        assert_eq!(rays.of_pixel(pixel, 0..1).count(), 1);
     }
 
     #[test]
@@ -131,13 +139,23 @@ mod tests {
         for pixel in [Pixel { x: 0, y: 0 }, Pixel { x: 7, y: 3 }] {
             let corner = DVec2::new(f64::from(pixel.x), f64::from(pixel.y));
             let mut cells: Vec<_> = view_rays(3)
-                .of_pixel(pixel)
+                .of_pixel(pixel, 0..9)
                 .map(|(_, ray)| ((place(&ray) - corner) * 3.0).floor().to_array())
                 .map(|cell| cell.map(|c| c as i32))
                 .collect();
             cells.sort_unstable();
             let expected: Vec<_> = (0..3).flat_map(|i| (0..3).map(move |j| [i, j])).collect();
             assert_eq!(cells, expected);
+        }
+    }
+
+    #[test]
+    fn samples_do_not_depend_on_those_beside_them() {
+        let (rays, pixel) = (view_rays(3), Pixel { x: 4, y: 2 });
+        let all: Vec<_> = rays.of_pixel(pixel, 0..9).collect();
+        for (start, end) in [(0, 1), (2, 5), (8, 9), (0, 9), (4, 4)] {
+            let some: Vec<_> = rays.of_pixel(pixel, start..end).collect();
+            assert_eq!(some, all[start as usize..end as usize]);
         }
     }
 }

@@ -268,14 +268,24 @@ pub static STRUCTURES: &[Structure] = &[
 /// What the structures are measured against, where the program was built with it.
 pub static PEERS: &[Structure] = &[
     #[cfg(feature = "embree")]
-    Structure::foreign::<Embree<false>>(
+    Structure::foreign::<Embree<false, false>>(
         "embree",
-        "Intel's Embree, ray by ray: a peer, for scenes of triangles",
+        "Intel's Embree 3, ray by ray: a peer, for scenes of triangles",
     ),
     #[cfg(feature = "embree")]
-    Structure::foreign::<Embree<true>>(
+    Structure::foreign::<Embree<false, true>>(
         "embree16",
-        "Intel's Embree, in packets of 16 rays: a peer, for scenes of triangles",
+        "Intel's Embree 3, in packets of 16 rays: a peer, for scenes of triangles",
+    ),
+    #[cfg(feature = "embree")]
+    Structure::foreign::<Embree<true, false>>(
+        "embree4",
+        "Intel's Embree 4, ray by ray: a peer, for scenes of triangles",
+    ),
+    #[cfg(feature = "embree")]
+    Structure::foreign::<Embree<true, true>>(
+        "embree4x16",
+        "Intel's Embree 4, in packets of 16 rays: a peer, for scenes of triangles",
     ),
 ];
 

@@ -13,7 +13,10 @@ mod faults;
 mod interrupt;
 mod mesh;
 mod outputs;
+mod parts;
 mod rays;
+#[cfg(unix)]
+mod refine;
 mod rendering;
 mod stats;
 mod support;

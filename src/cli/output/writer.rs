@@ -58,9 +58,17 @@ impl Output {
         }
     }
 
-    /// Writes what `body` writes. If that fails, a file is as it was before.
+    /// Writes what `body` writes, and closes a pipe. If that fails, a file is as it was before.
     pub(crate) fn write(
         self,
+        body: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), OutputError> {
+        self.write_once_more(body)
+    }
+
+    /// The same, and there may be more: a file is written anew as a whole each time, a pipe gets one after the other.
+    pub(crate) fn write_once_more(
+        &self,
         body: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> Result<(), OutputError> {
         let written = match &self.sink {

@@ -22,6 +22,8 @@ mod shadow_rays;
 mod transparent_shadows;
 mod visibility;
 
+use std::ops::Range;
+
 use crate::math::Color;
 use crate::render::Stage;
 use crate::render::frame::Frame;
@@ -60,14 +62,20 @@ impl DirectLight {
         }
     }
 
-    /// Assigns samples of the area lights to all view samples of some pixels.
-    pub(super) fn assign_samples(&mut self, frame: &Frame<'_>, pixels: &[Pixel]) {
+    /// Assigns samples of the area lights to some view samples of some pixels.
+    pub(super) fn assign_samples(
+        &mut self,
+        frame: &Frame<'_>,
+        pixels: &[Pixel],
+        samples: &Range<u32>,
+    ) {
         let lights = frame.scene.lights.iter().zip(&mut self.assignments).enumerate();
         for (index, (light, assignment)) in lights {
             if let Light::Area { .. } = light {
                 assignment.clear();
                 for pixel in pixels {
-                    frame.light_samples.assign(pixel.key(), index, assignment);
+                    let (pixel, samples) = (pixel.key(), samples.clone());
+                    frame.light_samples.assign_some(pixel, index, samples, assignment);
                 }
             }
         }

@@ -1,0 +1,254 @@
+//! What is rendered, and by what, once it was validated: as far as possible before the scene is read. Nothing here is
+//! optional that a rendering needs.
+
+use std::path::{Path, PathBuf};
+use std::thread::available_parallelism;
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use super::exit::Failure;
+use super::load::{Loaded, load, print_load_error};
+use super::output::Output;
+use super::terminal::print_message;
+use super::values::Size;
+use super::work_args::WorkArguments;
+use crate::accel::{BuildConfig, Quality};
+use crate::film::Crop;
+use crate::render::{Sampling, Settings, View};
+use crate::scene::{Scene, Structure};
+
+/// A scene, how it is rendered, and by what; what is absent is taken from the scene.
+#[derive(Debug)]
+pub(crate) struct Work {
+    /// The scene's file.
+    pub(crate) scene: PathBuf,
+    /// The structure that is traced.
+    pub(crate) structure: Structure,
+    /// How it is built.
+    pub(crate) build: BuildConfig,
+    /// Threads that build and render.
+    pub(crate) threads: usize,
+    /// What replaces the options of the scene.
+    pub(crate) overrides: Overrides,
+    /// How the samples of lights are made.
+    pub(crate) sampling: Sampling,
+    /// The root of the number of samples of each area light.
+    pub(crate) light_samples: u32,
+    /// Where the random numbers start.
+    pub(crate) seed: u64,
+    /// The part to render, if not all.
+    pub(crate) crop: Option<Crop>,
+    /// What the pixels show.
+    pub(crate) view: View,
+    /// Whether unknown commands are warnings.
+    pub(crate) lenient: bool,
+    /// Whether progress, warnings and the last line are left out.
+    pub(crate) quiet: bool,
+}
+
+/// Options that a scene has too.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Overrides {
+    /// Instead of `nx` and `ny`.
+    pub(crate) size: Option<Size>,
+    /// Instead of `aasample`.
+    pub(crate) aa: Option<u32>,
+    /// Instead of `max_recursion`.
+    pub(crate) max_recursion: Option<u32>,
+}
+
+impl Work {
+    /// Validates what was typed.
+    pub(crate) fn new(
+        scene: PathBuf,
+        typed: WorkArguments,
+        lenient: bool,
+        quiet: bool,
+    ) -> Result<Self, Failure> {
+        match (typed.size, typed.crop) {
+            (Some(size), crop) => check_region(size.width, size.height, crop)?,
+            (None, Some(crop)) => check_pixels(crop)?,
+            (None, None) => {}
+        }
+        Ok(Self {
+            structure: typed.accel,
+            build: build_config(typed.build),
+            threads: threads(typed.threads)?,
+            overrides: Overrides {
+                size: typed.size,
+                aa: typed.aa,
+                max_recursion: typed.max_recursion,
+            },
+            sampling: typed.sampling,
+            light_samples: typed.light_samples,
+            seed: typed.seed,
+            crop: typed.crop,
+            view: typed.view,
+            lenient,
+            quiet,
+            scene,
+        })
+    }
+
+    /// The settings of the renderer: what was typed, and the scene's options where nothing was. `count` is whether
+    /// tests are to be counted, which peers do not.
+    pub(crate) fn settings(&self, scene: &Scene, count: bool) -> Result<Settings, Failure> {
+        let of_scene = Settings::of_scene(scene);
+        let size = self.overrides.size;
+        let settings = Settings {
+            width: size.map_or(of_scene.width, |size| size.width),
+            height: size.map_or(of_scene.height, |size| size.height),
+            crop: self.crop,
+            aa: self.overrides.aa.unwrap_or(of_scene.aa),
+            light_samples: self.light_samples,
+            sampling: self.sampling,
+            max_recursion: self.overrides.max_recursion.unwrap_or(of_scene.max_recursion),
+            seed: self.seed,
+            view: self.view,
+            count: count && !self.structure.peer,
+        };
+        if self.view == View::Heatmap && self.structure.peer {
+            let name = self.structure.name;
+            return Err(Failure::new(format_args!("`{name}` counts no tests: it has no heatmap")));
+        }
+        check_region(settings.width, settings.height, settings.crop)?;
+        check_samples(&settings)?;
+        Ok(settings)
+    }
+
+    /// What would differ from machine to machine cannot be put together or gone on with: `option` says what asks.
+    pub(crate) fn refuse_what_differs(&self, option: &str) -> Result<(), Failure> {
+        if self.view == View::Heatmap {
+            return Err(Failure::new(format_args!(
+                "{option} is for what is the same whatever the structure, and --view heatmap shows what a \
+                 structure tested: leave one of them out"
+            )));
+        }
+        if self.structure.peer {
+            return Err(Failure::new(format_args!(
+                "{option} is for structures whose hits are equal to the bit, and those of `{}` are its own: \
+                 choose another --accel",
+                self.structure.name
+            )));
+        }
+        Ok(())
+    }
+
+    /// The threads that build and render.
+    pub(crate) fn pool(&self) -> Result<ThreadPool, Failure> {
+        let threads = self.threads;
+        ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .map_err(|error| Failure::new(format_args!("cannot start {threads} threads: {error}")))
+    }
+
+    /// Loads the scene and prints its warnings; or prints why there is none.
+    pub(crate) fn load(&self, pool: &ThreadPool) -> Option<Loaded> {
+        match pool.install(|| load(&self.scene, self.lenient)) {
+            Ok(loaded) => {
+                if !self.quiet && !loaded.warnings.is_empty() {
+                    print_message(&loaded.warnings);
+                }
+                Some(loaded)
+            }
+            Err(error) => {
+                print_load_error(&error);
+                None
+            }
+        }
+    }
+
+    /// A typing error (`srt scene.sce scene.sce --format png`) must not destroy the scene.
+    pub(crate) fn refuse_to_replace_the_scene(&self, output: &Output) -> Result<(), Failure> {
+        if same_file(&self.scene, output) {
+            return Err(Failure::new(format_args!(
+                "the output would replace the scene `{}`",
+                self.scene.display()
+            )));
+        }
+        Ok(())
+    }
+}
+
+/// Whether an output would replace a file.
+pub(crate) fn same_file(path: &Path, output: &Output) -> bool {
+    let real = |path: &Path| std::fs::canonicalize(path).ok();
+    output.file().and_then(real).is_some_and(|file| real(path) == Some(file))
+}
+
+/// A crop must lie within the picture, whose size may be known only from the scene, and what is
+/// rendered must fit into memory.
+fn check_region(width: u32, height: u32, crop: Option<Crop>) -> Result<(), Failure> {
+    let Some(crop) = crop else {
+        return check_pixels(Crop { x0: 0, y0: 0, x1: width, y1: height });
+    };
+    if crop.is_within(width, height) {
+        return check_pixels(crop);
+    }
+    Err(Failure::new(format_args!(
+        "the crop {crop} does not lie within the picture of {width}x{height} pixels"
+    )))
+}
+
+fn check_pixels(region: Crop) -> Result<(), Failure> {
+    if region.pixels() <= Settings::MAX_PIXELS {
+        return Ok(());
+    }
+    Err(Failure::new(format_args!(
+        "{}x{} pixels are too many to render at once: {} is the most; render parts with --crop",
+        region.width(),
+        region.height(),
+        Settings::MAX_PIXELS,
+    )))
+}
+
+/// More threads than this for each processor only wait for each other: with hundreds of them, a
+/// build of milliseconds takes seconds.
+const MOST_THREADS_A_PROCESSOR: usize = 4;
+
+/// As many threads as were typed, or one a processor.
+fn threads(typed: Option<u16>) -> Result<usize, Failure> {
+    let processors = available_parallelism().map_or(1, std::num::NonZero::get);
+    let (threads, most) =
+        (typed.map_or(processors, usize::from), MOST_THREADS_A_PROCESSOR * processors);
+    if threads <= most {
+        return Ok(threads);
+    }
+    let are =
+        if processors == 1 { "1 processor is" } else { &format!("{processors} processors are") };
+    Err(Failure::new(format_args!(
+        "{threads} threads are too many: {are} available, and --threads may be {most} at most"
+    )))
+}
+
+/// The samples of a pixel and of a light are made together, so they are limited together.
+fn check_samples(settings: &Settings) -> Result<(), Failure> {
+    let (aa, light, most) = (settings.aa.max(1), settings.light_samples, Settings::MAX_LIGHT_SIDE);
+    if aa.saturating_mul(light) <= most {
+        return Ok(());
+    }
+    Err(Failure::new(format_args!(
+        "{aa} × {aa} samples a pixel with {light} × {light} of each light are too many: \
+         --aa times --light-samples may be {most} at most"
+    )))
+}
+
+fn build_config(quality: Quality) -> BuildConfig {
+    BuildConfig { quality, ..BuildConfig::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn threads_may_be_some_times_the_processors() {
+        let processors = threads(None).unwrap();
+        let most = 4 * processors;
+        assert_eq!(threads(Some(most as u16)).unwrap(), most);
+        let message = threads(Some(most as u16 + 1)).unwrap_err().to_string();
+        assert!(message.contains(&format!("{processors} processor")), "{message}");
+        assert!(message.contains(&format!("{most} at most")), "{message}");
+    }
+}
