@@ -2,9 +2,9 @@
 //!
 //! Primitives that are tested several at once are copied into the slots of each of their cells, so that
 //! a list is a range of slots and is tested in packs. They need no mailbox: a test of four lanes costs
-//! less than to find out which of the four are known (`docs/speed-notes.md`, "Cells"). Primitives that are tested one by one, as the
-//! objects of a scene, can be whole meshes. They stay in their one slot, a list has their ids, and a
-//! [`Mailbox`] spares a ray to search a mesh again in the next cell.
+//! less than to find out which of the four are known (`docs/speed-notes.md`, "Cells"). Primitives that
+//! are tested one by one, as the objects of a scene, can be whole meshes. They stay in their one slot, a
+//! list has their ids, and a [`Mailbox`] spares a ray to search a mesh again in the next cell.
 
 use std::ops::{ControlFlow, Range};
 

@@ -1,8 +1,8 @@
 //! Which colour, marker and dashes a structure has.
 //!
 //! A look follows from the structure's name, so a structure looks the same in every report. The built-in structures
-//! and peers have fixed looks of their own. Any other name is hashed to one of the remaining looks. Two names of one report
-//! never share a look while there are looks left: 84 in all.
+//! and peers have fixed looks of their own. Any other name is hashed to one of the remaining looks. Two names of one
+//! report never share a look while there are looks left: 84 in all.
 
 use std::collections::{BTreeMap, BTreeSet};
 
