@@ -1,4 +1,4 @@
-//! An acceleration structure of your own, from outside the crate: a uniform grid (`grid/mod.rs`).
+//! An acceleration structure of your own, from outside the crate: a grid of loose cells (`grid/mod.rs`).
 //! It is held against no structure at all, bit for bit, by rays made to find differences, and
 //! measured beside the library's structures; if a hit differed, the ray that shows it would be
 //! printed.
@@ -56,7 +56,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     let mut plan = Plan::of_scenes(vec![input]);
     plan.budget = Some(Duration::from_secs(10));
     // A tree over the objects, the grid over the triangles of each mesh.
-    let grid = Structure::new::<Bvh, Grid>("grid", "a uniform grid over triangles");
+    let grid = Structure::new::<Bvh, Grid>("loose-grid", "a grid of loose cells over triangles");
     let library = ["none", "bvh"].into_iter().filter_map(structure_named).copied();
     let structures: Vec<Structure> = library.chain([grid]).collect();
     let outcome = run(&plan, &structures, &Silent)?;

@@ -1,4 +1,5 @@
-//! Embree agrees with the structures on nearly all rays, and names what it cannot trace.
+//! Embree agrees with the structures on nearly all rays, and names what it cannot trace. Version 3 must be
+//! installed; version 4 is tested where it is, too.
 
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
@@ -9,7 +10,7 @@ use srt::accel::{Answers, BuildConfig, Scratch, Tracer};
 use srt::compare::{Plan, SceneInput, Silent, run};
 use srt::math::{Hit, Random, Ray};
 use srt::record::Status;
-use srt::scene::{PEERS, Scene, structure_named};
+use srt::scene::{PEERS, Scene, Structure, structure_named};
 
 /// The share of the rays that may be answered otherwise.
 const LARGEST_SHARE: f64 = 1e-4;
@@ -43,14 +44,28 @@ fn answers(tracer: &dyn Tracer, rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
     (hits, blocked)
 }
 
-/// Holds both ways of tracing against `bvh`.
+/// The peers whose library is installed.
+fn peers() -> impl Iterator<Item = &'static Structure> {
+    let (three, four) = PEERS.split_at(2);
+    let is_there = |peer: &&Structure| match peer.try_build(&scene(""), &BuildConfig::default()) {
+        Ok(_) => true,
+        Err(error) => {
+            let text = error.to_string();
+            assert!(text.contains("Embree 4 is not installed"), "{text}");
+            false
+        }
+    };
+    three.iter().chain(four.iter().filter(is_there))
+}
+
+/// Holds all ways of tracing against `bvh`.
 fn assert_agreement(scene: &Scene) {
     let rays = rays(scene);
     let build = |name| structure_named(name).unwrap().build(scene, &BuildConfig::default());
     let (hits, blocked) = answers(&*build("bvh"), &rays);
     let found = hits.iter().filter(|hit| hit.is_hit()).count();
     assert!(10 * found > rays.len(), "{found} hits say nothing");
-    for name in ["embree", "embree16"] {
+    for name in peers().map(|peer| peer.name) {
         let own = answers(&*build(name), &rays);
         let hits = hits.iter().zip(&own.0).filter(|(a, b)| !a.agrees(b)).count();
         let blocked = blocked.iter().zip(&own.1).filter(|(a, b)| a != b).count();
@@ -80,7 +95,7 @@ fn hits_agree_on_transformed_meshes_and_single_triangles() {
 fn an_empty_scene_has_no_hits() {
     let scene = scene("");
     let rays = [Ray::new(Vec3::ZERO, Vec3::X); 17];
-    for peer in PEERS {
+    for peer in peers() {
         let world = peer.build(&scene, &BuildConfig::default());
         let (hits, blocked) = answers(&*world, &rays);
         assert!(hits.iter().all(|hit| !hit.is_hit()) && !blocked.contains(&true));
@@ -105,7 +120,7 @@ fn memory_grows_with_the_scene() {
 fn what_it_does_not_know_is_refused_by_name() {
     for (object, form) in [("ball 1 0 0 0", "a ball"), ("cylinder", "a cylinder")] {
         let scene = scene(&format!("triangle 0 0 0  1 0 0  0 1 0\n{object}"));
-        for peer in PEERS {
+        for peer in peers() {
             let error = peer.try_build(&scene, &BuildConfig::default()).err().unwrap();
             let text = error.to_string();
             assert!(text.starts_with(&format!("object 1 is {form}: ")), "{text}");
@@ -154,4 +169,20 @@ fn a_scene_that_it_does_not_know_is_a_row_that_says_so() {
     let status = &scene.structure("embree").unwrap().status;
     assert!(matches!(status, Status::Failed { message } if message.contains("is a ball")));
     assert_eq!(scene.structure("bvh").unwrap().status, Status::Ok);
+}
+
+#[test]
+fn a_library_that_is_not_there_is_an_error_that_says_how_to_name_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, picture) = (folder.path().join("a.sce"), folder.path().join("a.png"));
+    std::fs::write(&scene, format!("sce1.0\n{VIEW}triangle 0 0 0  1 0 0  0 1 0\nend\n")).unwrap();
+    for (name, variable) in [("embree", "SRT_EMBREE3"), ("embree4x16", "SRT_EMBREE4")] {
+        let mut command = assert_cmd::Command::new(env!("CARGO_BIN_EXE_srt"));
+        command.args(["--accel", name]).args([&scene, &picture]).env(variable, "/no/embree.so");
+        let output = command.output().unwrap();
+        let text = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success() && !picture.exists());
+        assert!(text.contains("is not installed") && text.contains(variable), "{text}");
+        assert!(text.contains("/no/embree.so"), "{text}");
+    }
 }

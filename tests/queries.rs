@@ -4,8 +4,8 @@
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
 use srt::accel::{
-    Accel, AllHits, AnyHit, BoundingBall, BuildConfig, Bvh, Bvh8, ClosestHit, CompressedWideBvh,
-    Exhaustive, Filtered, Indexed, Query,
+    Accel, AllHits, AnyHit, BallTree, BoundingBall, BuildConfig, Bvh, Bvh8, ClosestHit,
+    CompressedWideBvh, Exhaustive, Filtered, Grid, Indexed, KdTree, Octree, Query, TwoLevelGrid,
 };
 use srt::conformance::adversarial_rays::{bundles_around, rays_at};
 use srt::conformance::nasty_meshes::{self, Mesh};
@@ -64,6 +64,11 @@ fn all_hits_and_filtered_hits_are_the_same_in_every_structure() {
         compare::<Bvh>(&mesh, &rays, &all);
         compare::<CompressedWideBvh>(&mesh, &rays, &all);
         compare::<Bvh8>(&mesh, &rays, &all);
+        compare::<KdTree>(&mesh, &rays, &all);
+        compare::<Grid>(&mesh, &rays, &all);
+        compare::<TwoLevelGrid>(&mesh, &rays, &all);
+        compare::<Octree>(&mesh, &rays, &all);
+        compare::<BallTree>(&mesh, &rays, &all);
     }
 }
 

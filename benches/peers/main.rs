@@ -46,6 +46,9 @@ struct Arguments {
     /// Side of the picture in pixels, a multiple of 16.
     #[arg(long, default_value_t = 1024)]
     size: u32,
+    /// Leave out the ground below meshes that are not halls.
+    #[arg(long)]
+    no_ground: bool,
     /// Leave out the hall.
     #[arg(long)]
     no_hall: bool,
@@ -63,19 +66,22 @@ fn main() -> Result<(), String> {
         arguments.meshes.push(HALL.to_owned());
     }
     let structures = structures(&arguments.structures)?;
+    let machine = srt::compare::machine();
+    println!("One thread of {}, {}.", machine.cpu, machine.instruction_set);
     let mut all = table::Ratios::new(&arguments.structures, &arguments.classes);
     for mesh in &arguments.meshes {
-        let (scene, light) = view::scene_of(mesh, arguments.size)?;
+        let views = view::scenes_of(mesh, arguments.size, !arguments.no_ground)?;
+        let scene = &views[0].0;
         println!("\n## {mesh}: {} triangles\n", scene.triangle_count());
-        let worlds = builds::build_all(&structures, &scene)?;
+        let worlds = builds::build_all(&structures, scene)?;
         if arguments.builds > 0 {
-            builds::measure(&structures, &scene, arguments.builds)?;
+            builds::measure(&structures, scene, arguments.builds)?;
         }
         let reference = structure_named("bvh").ok_or("there is no `bvh`")?;
-        let reference = reference.build(&scene, &BuildConfig::default());
-        let sets = rays::ray_sets(&scene, &*reference, light);
+        let reference = reference.build(scene, &BuildConfig::default());
+        let sets = rays::ray_sets(&views, &*reference);
         let worlds: Vec<&dyn Tracer> = worlds.iter().map(|world| &**world as _).collect();
-        let layers = arguments.layers.then(|| layers::Layers::new(&scene)).transpose()?;
+        let layers = arguments.layers.then(|| layers::Layers::new(scene)).transpose()?;
         for set in sets.iter().filter(|set| arguments.classes.contains(&set.class)) {
             check::check(&structures, &worlds, &*reference, set)?;
             let times = rays::seconds(&worlds, set, arguments.rounds);

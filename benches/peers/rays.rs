@@ -15,9 +15,20 @@ const RAYS_PER_CALL: usize = 4096;
 
 const SEED: u64 = 1;
 
-/// A set for each of [`CLASSES`]: a view ray through each pixel's centre; from what these hit, shadow
+/// A set for each of [`CLASSES`], with the rays of all views: a view ray through each pixel's centre; from what these hit, shadow
 /// rays to a point light, diffuse and mirror rays; as many parallel rays along an axis as pixels.
-pub(crate) fn ray_sets(scene: &Scene, tracer: &dyn Tracer, light: Vec3) -> Vec<RaySet> {
+pub(crate) fn ray_sets(views: &[(Scene, Vec3)], tracer: &dyn Tracer) -> Vec<RaySet> {
+    let of_views = views.iter().map(|(scene, light)| sets_of_view(scene, tracer, *light));
+    let joined = of_views.reduce(|mut sets, more| {
+        for (set, more) in sets.iter_mut().zip(more) {
+            set.rays.extend(more.rays);
+        }
+        sets
+    });
+    joined.unwrap_or_default()
+}
+
+fn sets_of_view(scene: &Scene, tracer: &dyn Tracer, light: Vec3) -> Vec<RaySet> {
     let view = view_rays(scene);
     let hits = FirstHits::new(scene, tracer, &view);
     let (shadow, diffuse, mirror) =

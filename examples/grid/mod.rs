@@ -1,4 +1,4 @@
-//! A uniform grid: the structure that the examples bring from outside the crate.
+//! A loose grid: the structure that the examples bring from outside the crate.
 
 use std::ops::{ControlFlow, Range};
 

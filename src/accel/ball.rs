@@ -14,16 +14,10 @@ use crate::counters::Counters;
 use crate::math::{BoxRay, Ray};
 
 use super::save::expect_dense;
+use super::sphere_ray::SphereRay;
 use super::{
     Accel, Bounded, Build, Built, Decoder, Encoder, LoadError, Portable, Slots, StructureShape,
 };
-
-/// Below this length of a direction `t` can leave the range of floats; such rays skip nothing. Nor do
-/// those so fast that a [`STEP`] of `t`, by which slab tests may err, takes them farther than the padding.
-const SHORTEST_DIR: f64 = 1e-30;
-
-/// The distance between neighbouring parameters that are smaller than the normal numbers.
-const STEP: f64 = f32::from_bits(1) as f64;
 
 /// Offers everything to the rays that hit the ball, nothing to the others.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +43,8 @@ impl Accel for BoundingBall {
         mut leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
     ) {
         counters.boxes(1);
-        if self.may_hit(ray, box_ray.pad) {
+        let enters = SphereRay::new(ray, box_ray).enters(self.center, self.radius, ray.t_max);
+        if enters.is_some() {
             let _ = leaf(0..self.count, counters);
         }
     }
@@ -93,26 +88,5 @@ impl BoundingBall {
             .map(|corner| distance(corner.into()))
             .fold(0.0, f64::max);
         Self { center, radius: radius_squared.sqrt(), count: primitives.count() }
-    }
-
-    /// Whether the ray's segment meets the ball, widened so far that no point of a padded box is
-    /// outside. In `f64`, where the rounding of the test itself vanishes beside the padding.
-    #[inline]
-    fn may_hit(&self, ray: &Ray, pad: f32) -> bool {
-        let dir = ray.dir.as_dvec3();
-        let dir_squared = dir.length_squared();
-        let square_pad = f64::from(pad) * f64::from(pad);
-        if dir_squared < SHORTEST_DIR * SHORTEST_DIR || dir_squared * (STEP * STEP) > square_pad {
-            return true;
-        }
-        // A point that a padded box accepts is at most 1.1 paddings outside of it on each axis.
-        let radius = self.radius + 4.0 * f64::from(pad);
-        let to_origin = ray.origin.as_dvec3() - self.center;
-        let t_closest = -to_origin.dot(dir) / dir_squared;
-        let distance_squared = (to_origin + t_closest * dir).length_squared();
-        let half_chord = ((radius * radius - distance_squared) / dir_squared).sqrt();
-        // The root of a negative number is NaN, and no comparison with it holds.
-        t_closest + half_chord >= f64::from(ray.t_min)
-            && t_closest - half_chord <= f64::from(ray.t_max)
     }
 }

@@ -30,6 +30,11 @@ pub struct Built<A> {
     pub order: Option<Order>,
 }
 
+/// The primitives' boxes: what builds go on with that are compiled once for all primitives.
+pub(super) fn boxes_of(primitives: &impl Bounded) -> Vec<Aabb> {
+    (0..primitives.count()).into_par_iter().map(|index| primitives.bounds(index)).collect()
+}
+
 /// The primitives' boxes as obvhs's builders take them.
 pub(super) fn obvhs_boxes(primitives: &impl Bounded) -> Vec<obvhs::aabb::Aabb> {
     (0..primitives.count())

@@ -11,19 +11,31 @@
 //! | `bvh.rs` | obvhs's binary tree |
 //! | `cwbvh.rs` | obvhs's compressed eight-wide tree |
 //! | `bvh8/` | a binary tree collapsed to eight children, many rays at once |
+//! | `kdtree/` | a kd-tree by the surface area heuristic |
+//! | `grid.rs` | a uniform grid |
+//! | `grid2.rs` | a grid of grids |
+//! | `octree.rs` | an octree |
+//! | `balls.rs` | a binary tree of bounding balls |
 //!
+//! What partitions of space share is in `cells/`.
 //! `save/` writes built structures to bytes and reads them back.
 //! Binary trees, which trees of all layouts are made from, are built in `builder/`.
 
 mod ball;
+mod balls;
 mod build;
 mod builder;
 mod bvh;
 mod bvh8;
+mod cells;
 mod config;
 mod cwbvh;
+mod grid;
+mod grid2;
 mod indexed;
+mod kdtree;
 mod none;
+mod octree;
 mod options;
 mod order;
 mod packs;
@@ -31,6 +43,7 @@ mod query;
 mod save;
 mod scratch;
 mod shape;
+mod sphere_ray;
 mod stages;
 mod tree;
 
@@ -42,13 +55,18 @@ use crate::counters::{Counters, Counts};
 use crate::math::{Aabb, BoxRay, Padding, Ray};
 
 pub use ball::BoundingBall;
+pub use balls::BallTree;
 pub use build::{Build, Built};
 pub use bvh::Bvh;
 pub use bvh8::Bvh8;
 pub use config::{BuildConfig, Quality};
 pub use cwbvh::CompressedWideBvh;
+pub use grid::Grid;
+pub use grid2::TwoLevelGrid;
 pub use indexed::Indexed;
+pub use kdtree::KdTree;
 pub use none::Exhaustive;
+pub use octree::Octree;
 pub use options::{Allowed, BuildOptions, OptionError, OptionInfo};
 pub use order::Order;
 pub use packs::{NoPacks, NoRay, PACK, PackHits, Packs};

@@ -33,13 +33,14 @@ pub(crate) fn arguments(structures: &Structures) -> Result<Option<Arguments>, Fa
         Err(help) if !help.use_stderr() => return print_help(&help).map(|()| None),
         Err(error) => error.exit(),
     };
-    let named = match &mut arguments.command {
-        Some(args::Command::Compare(compare)) => Some(&mut compare.accel),
-        Some(args::Command::Conformance(check)) => Some(&mut check.accel),
-        _ => None,
-    };
-    if let Some(named) = named.filter(|named| named.is_empty()) {
-        *named = vec![structures.compared_by_default()];
+    match &mut arguments.command {
+        Some(args::Command::Compare(compare)) if compare.accel.is_empty() => {
+            compare.accel = vec![structures.compared_by_default()];
+        }
+        Some(args::Command::Conformance(check)) if check.accel.is_empty() => {
+            check.accel = vec![structures.checked_by_default()];
+        }
+        _ => {}
     }
     Ok(Some(arguments))
 }

@@ -28,6 +28,7 @@ Examples:\n  \
 srt compare scenes/hall.sce\n  \
 srt compare scenes/*.sce --accel bvh,cwbvh --budget 60 --out results/trees\n  \
 srt compare scenes/hall.sce --accel bvh8,bvh8:builder=ploc,leaf=4\n  \
+srt compare scenes/torus-knot.sce --accel bvh,kdtree,octree,grid,grid:density=8,grid2,balls\n  \
 srt compare --sweep 1k..10M --mesh hall --budget 300\n  \
 srt compare scenes/soft-shadows.sce --sampling-study\n  \
 srt compare scenes/hall.sce --save-rays rays\n  \
@@ -39,7 +40,8 @@ pub(crate) struct CompareArguments {
         value_parser = PathBufValueParser::new().try_map(named_file))]
     pub(crate) scenes: Vec<PathBuf>,
 
-    /// The acceleration structures, separated by commas [default: all]
+    /// The acceleration structures, separated by commas [default: none, ball, bvh, cwbvh, bvh8 and
+    /// those of a program's own; the others are named]
     #[arg(long, value_name = "NAMES", value_parser = Structures::default().list_parser())]
     pub(crate) accel: Vec<StructureList>,
 
@@ -149,7 +151,7 @@ srt conformance\n  \
 srt conformance --accel bvh --budget 10\n  \
 srt conformance --accel bvh8:builder=ploc,leaf=4,bvh")]
 pub(crate) struct ConformanceArguments {
-    /// The acceleration structures, with commas between them [default: all]
+    /// The acceleration structures, with commas between them [default: all but the peers]
     #[arg(long, value_name = "NAMES", value_parser = Structures::default().list_parser())]
     pub(crate) accel: Vec<StructureList>,
 

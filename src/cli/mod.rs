@@ -95,12 +95,12 @@ pub fn run() -> ExitCode {
 /// where it renders, draws heatmaps, compares and checks for equal hits. This is a whole `main.rs`:
 ///
 /// ```no_run
-/// # use srt::accel::{Bvh, Bvh as Grid};
+/// # use srt::accel::{Bvh, Bvh as Pairs};
 /// use srt::scene::Structure;
 ///
 /// fn main() -> std::process::ExitCode {
-///     // A tree over the objects of a scene, a grid over the triangles of each mesh.
-///     srt::cli::run_with(&[Structure::new::<Bvh, Grid>("grid", "a uniform grid over triangles")])
+///     // A tree over the objects of a scene, pairs over the triangles of each mesh.
+///     srt::cli::run_with(&[Structure::new::<Bvh, Pairs>("pairs", "two triangles in each box")])
 /// }
 /// ```
 #[must_use]

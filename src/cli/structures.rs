@@ -75,8 +75,13 @@ impl Structures {
         text
     }
 
-    /// Those that a comparison takes where none is named: all but the peers.
+    /// Those that a comparison takes where none is named.
     pub(crate) fn compared_by_default(&self) -> StructureList {
+        StructureList(self.0.iter().copied().filter(|one| !one.on_request).collect())
+    }
+
+    /// Those that are held to equal hits where none is named: all but the peers.
+    pub(crate) fn checked_by_default(&self) -> StructureList {
         StructureList(self.0.iter().copied().filter(|one| !one.peer).collect())
     }
 

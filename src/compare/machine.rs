@@ -9,7 +9,8 @@ use crate::simd::Isa;
 use super::commit::commit;
 
 /// What is known of the machine now.
-pub(super) fn machine() -> Machine {
+#[must_use]
+pub fn machine() -> Machine {
     Machine {
         cpu: processor().unwrap_or_else(|| std::env::consts::ARCH.to_owned()),
         cores: std::thread::available_parallelism()
@@ -91,8 +92,18 @@ fn compiled_instruction_set() -> String {
     }
 }
 
+/// The processor's name, and its family and model: virtual machines leave out of the name which one it is.
 fn processor() -> Option<String> {
-    value("/proc/cpuinfo", "model name").map(|name| name.trim_start_matches([':', ' ']).to_owned())
+    let field = |word| {
+        value("/proc/cpuinfo", word)
+            .map(|text| text.trim_start_matches([':', ' ', '\t']).to_owned())
+    };
+    let name = field("model name")?;
+    let model = field("cpu family").zip(field("model\t"));
+    Some(match model {
+        Some((family, model)) => format!("{name} (family {family}, model {model})"),
+        None => name,
+    })
 }
 
 fn system() -> String {

@@ -60,7 +60,7 @@
 //! ```
 //!
 //! A difference is reported with a ray that shows it, cut to the piece around the hit and printed
-//! in full precision. `examples/custom_accel.rs` does all of this with a uniform grid.
+//! in full precision. `examples/custom_accel.rs` does all of this with a loose grid.
 
 mod agreement;
 mod block_sample;
@@ -97,7 +97,7 @@ mod sweep;
 mod trace;
 mod trial;
 
-pub use machine::disturbances;
+pub use machine::{disturbances, machine};
 pub use observer::{Observer, Silent};
 pub(crate) use panics::catch_panic;
 pub(crate) use picture_file::{heatmap_name, picture_name};

@@ -6,13 +6,12 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicI64, Ordering};
 
 use super::EmbreeError;
-use super::ffi::{
-    RTC_ERROR_NONE, RTCDevice, rtcGetDeviceError, rtcNewDevice, rtcReleaseDevice,
-    rtcSetDeviceErrorFunction, rtcSetDeviceMemoryMonitorFunction,
-};
+use super::ffi::{RTC_ERROR_NONE, RTCDevice};
+use super::library::Library;
 
 /// A device, which all of a scene's objects belong to.
 pub(super) struct Device {
+    library: &'static Library,
     raw: RTCDevice,
     /// What the device's callbacks write to; boxed, so that it stays where the device knows it.
     reports: Box<Reports>,
@@ -33,13 +32,13 @@ unsafe impl Sync for Device {}
 
 impl Device {
     /// A device that wants so many threads for builds.
-    pub(super) fn new(threads: usize) -> Result<Self, EmbreeError> {
+    pub(super) fn new(library: &'static Library, threads: usize) -> Result<Self, EmbreeError> {
         let config = CString::new(format!("threads={threads}")).unwrap_or_default();
         // SAFETY: the text ends with a zero and outlives the call.
-        let raw = unsafe { rtcNewDevice(config.as_ptr()) };
+        let raw = unsafe { (library.new_device)(config.as_ptr()) };
         if raw.is_null() {
             // SAFETY: without a device, Embree returns this thread's last error.
-            let code = unsafe { rtcGetDeviceError(ptr::null_mut()) };
+            let code = unsafe { (library.device_error)(ptr::null_mut()) };
             return Err(EmbreeError::Device { code });
         }
         let reports = Box::<Reports>::default();
@@ -47,10 +46,14 @@ impl Device {
         // SAFETY: the device is valid; `user` is a `Reports`, read through a shared reference only,
         // which lives until after the device is released.
         unsafe {
-            rtcSetDeviceErrorFunction(raw, note_error, user);
-            rtcSetDeviceMemoryMonitorFunction(raw, note_bytes, user);
+            (library.set_error_function)(raw, note_error, user);
+            (library.set_memory_monitor)(raw, note_bytes, user);
         }
-        Ok(Self { raw, reports })
+        Ok(Self { library, raw, reports })
+    }
+
+    pub(super) fn library(&self) -> &'static Library {
+        self.library
     }
 
     pub(super) fn raw(&self) -> RTCDevice {
@@ -66,7 +69,7 @@ impl Device {
     pub(super) fn check(&self) -> Result<(), EmbreeError> {
         let reports = self.reports.error.lock().map_or(None, |mut error| error.take());
         // SAFETY: the device is valid. It keeps what was not reported to the callback.
-        let code = unsafe { rtcGetDeviceError(self.raw) };
+        let code = unsafe { (self.library.device_error)(self.raw) };
         match reports {
             Some(text) => Err(EmbreeError::Refused { text }),
             None if code != RTC_ERROR_NONE => Err(EmbreeError::Device { code }),
@@ -78,8 +81,8 @@ impl Device {
 impl Drop for Device {
     fn drop(&mut self) {
         // SAFETY: the device is valid and is not used again. Objects that hold it keep it alive
-        // themselves, and are all released before `told` is (see `TriangleScene`).
-        unsafe { rtcReleaseDevice(self.raw) };
+        // themselves, and are all released before `reports` is (see `TriangleScene`).
+        unsafe { (self.library.release_device)(self.raw) };
     }
 }
 

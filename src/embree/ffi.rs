@@ -1,10 +1,12 @@
-//! The part of Embree 3's C interface that is used, as `rtcore.h` of version 3.13 declares it.
+//! The types of Embree's C interface that are used, as `rtcore.h` of versions 3.13 and 4.4 declares them.
 //!
-//! Names and layouts are Embree's, so that they can be looked up in its manual.
+//! Names and layouts are Embree's, so that they can be looked up in its manual. Rays are laid out alike in both versions;
+//! hits end with instances, of which version 4 notes more, and there is room for them.
 
 #![allow(non_camel_case_types, reason = "Embree's names")]
 
 use std::ffi::{c_char, c_int, c_uint, c_void};
+use std::ptr;
 
 /// Rays in a packet.
 pub(super) const PACKET: usize = 16;
@@ -20,8 +22,9 @@ pub(super) const RTC_BUFFER_TYPE_INDEX: c_int = 0;
 pub(super) const RTC_BUFFER_TYPE_VERTEX: c_int = 1;
 pub(super) const RTC_FORMAT_UINT3: c_int = 0x5003;
 pub(super) const RTC_FORMAT_FLOAT3: c_int = 0x9003;
-pub(super) const RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT: c_int = 0;
-pub(super) const RTC_INTERSECT_CONTEXT_FLAG_COHERENT: c_int = 1;
+const RTC_INTERSECT_CONTEXT_FLAG_COHERENT: c_int = 1;
+const RTC_RAY_QUERY_FLAG_COHERENT: c_int = 1 << 16;
+const RTC_FEATURE_FLAG_ALL: c_uint = c_uint::MAX;
 
 pub(super) type RTCDevice = *mut c_void;
 pub(super) type RTCScene = *mut c_void;
@@ -32,11 +35,49 @@ pub(super) type RTCErrorFunction =
 pub(super) type RTCMemoryMonitorFunction =
     unsafe extern "C" fn(user: *mut c_void, bytes: isize, post: bool) -> bool;
 
+/// Of version 3.
 #[repr(C)]
 pub(super) struct RTCIntersectContext {
-    pub(super) flags: c_int,
-    pub(super) filter: *const c_void,
-    pub(super) inst_id: c_uint,
+    flags: c_int,
+    filter: *const c_void,
+    inst_id: c_uint,
+}
+
+/// Of version 4.
+#[repr(C)]
+pub(super) struct RTCIntersectArguments {
+    flags: c_int,
+    feature_mask: c_uint,
+    context: *const c_void,
+    filter: *const c_void,
+    intersect: *const c_void,
+}
+
+/// The arguments of a query beside its rays, of both versions.
+pub(super) struct Arguments {
+    pub(super) three: RTCIntersectContext,
+    pub(super) four: RTCIntersectArguments,
+}
+
+impl Arguments {
+    /// For rays that are declared coherent, or not.
+    pub(super) fn new(coherent: bool) -> Self {
+        let flags = |flag| if coherent { flag } else { 0 };
+        Self {
+            three: RTCIntersectContext {
+                flags: flags(RTC_INTERSECT_CONTEXT_FLAG_COHERENT),
+                filter: ptr::null(),
+                inst_id: RTC_INVALID_GEOMETRY_ID,
+            },
+            four: RTCIntersectArguments {
+                flags: flags(RTC_RAY_QUERY_FLAG_COHERENT),
+                feature_mask: RTC_FEATURE_FLAG_ALL,
+                context: ptr::null(),
+                filter: ptr::null(),
+                intersect: ptr::null(),
+            },
+        }
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -60,7 +101,7 @@ pub(super) struct RTCHit {
     pub(super) v: f32,
     pub(super) prim_id: c_uint,
     pub(super) geom_id: c_uint,
-    pub(super) inst_id: c_uint,
+    pub(super) instances: [c_uint; 5],
 }
 
 #[derive(Clone, Copy)]
@@ -91,7 +132,7 @@ pub(super) struct RTCHit16 {
     pub(super) v: [f32; PACKET],
     pub(super) prim_id: [c_uint; PACKET],
     pub(super) geom_id: [c_uint; PACKET],
-    pub(super) inst_id: [c_uint; PACKET],
+    pub(super) instances: [[c_uint; PACKET]; 2],
 }
 
 #[derive(Clone, Copy)]
@@ -105,66 +146,9 @@ pub(super) struct RTCRayHit16 {
 #[repr(C, align(64))]
 pub(super) struct Valid(pub(super) [c_int; PACKET]);
 
-// What the compiler of `rtcore.h` gives, checked once against version 3.13.5.
+// What the compiler of `rtcore.h` gives, checked once against version 3.13.5; of version 3 hits are 16 and 64 bytes
+// shorter.
 const _: () = assert!(size_of::<RTCIntersectContext>() == 24);
-const _: () = assert!(size_of::<RTCRay>() == 48 && size_of::<RTCRayHit>() == 80);
-const _: () = assert!(size_of::<RTCRay16>() == 768 && size_of::<RTCRayHit16>() == 1280);
-
-#[link(name = "embree3")]
-unsafe extern "C" {
-    pub(super) fn rtcNewDevice(config: *const c_char) -> RTCDevice;
-    pub(super) fn rtcReleaseDevice(device: RTCDevice);
-    pub(super) fn rtcGetDeviceError(device: RTCDevice) -> c_int;
-    pub(super) fn rtcSetDeviceErrorFunction(
-        device: RTCDevice,
-        error: RTCErrorFunction,
-        user: *mut c_void,
-    );
-    pub(super) fn rtcSetDeviceMemoryMonitorFunction(
-        device: RTCDevice,
-        monitor: RTCMemoryMonitorFunction,
-        user: *mut c_void,
-    );
-
-    pub(super) fn rtcNewScene(device: RTCDevice) -> RTCScene;
-    pub(super) fn rtcReleaseScene(scene: RTCScene);
-    pub(super) fn rtcSetSceneBuildQuality(scene: RTCScene, quality: c_int);
-    pub(super) fn rtcSetSceneFlags(scene: RTCScene, flags: c_int);
-    pub(super) fn rtcAttachGeometryByID(scene: RTCScene, geometry: RTCGeometry, id: c_uint);
-    pub(super) fn rtcCommitScene(scene: RTCScene);
-
-    pub(super) fn rtcNewGeometry(device: RTCDevice, kind: c_int) -> RTCGeometry;
-    pub(super) fn rtcReleaseGeometry(geometry: RTCGeometry);
-    pub(super) fn rtcCommitGeometry(geometry: RTCGeometry);
-    pub(super) fn rtcSetNewGeometryBuffer(
-        geometry: RTCGeometry,
-        kind: c_int,
-        slot: c_uint,
-        format: c_int,
-        byte_stride: usize,
-        item_count: usize,
-    ) -> *mut c_void;
-
-    pub(super) fn rtcIntersect1(
-        scene: RTCScene,
-        context: *mut RTCIntersectContext,
-        ray_hit: *mut RTCRayHit,
-    );
-    pub(super) fn rtcOccluded1(
-        scene: RTCScene,
-        context: *mut RTCIntersectContext,
-        ray: *mut RTCRay,
-    );
-    pub(super) fn rtcIntersect16(
-        valid: *const c_int,
-        scene: RTCScene,
-        context: *mut RTCIntersectContext,
-        ray_hit: *mut RTCRayHit16,
-    );
-    pub(super) fn rtcOccluded16(
-        valid: *const c_int,
-        scene: RTCScene,
-        context: *mut RTCIntersectContext,
-        ray: *mut RTCRay16,
-    );
-}
+const _: () = assert!(size_of::<RTCIntersectArguments>() == 32);
+const _: () = assert!(size_of::<RTCRay>() == 48 && size_of::<RTCRayHit>() == 96);
+const _: () = assert!(size_of::<RTCRay16>() == 768 && size_of::<RTCRayHit16>() == 1344);

@@ -6,10 +6,8 @@ use crate::math::{Hit, Ray};
 
 use super::TriangleScene;
 use super::ffi::{
-    PACKET, RTC_INTERSECT_CONTEXT_FLAG_COHERENT, RTC_INVALID_GEOMETRY_ID, RTCHit16, RTCRay16,
-    RTCRayHit16, Valid, rtcIntersect16, rtcOccluded16,
+    Arguments, PACKET, RTC_INVALID_GEOMETRY_ID, RTCHit16, RTCRay16, RTCRayHit16, Valid,
 };
-use super::triangles::context;
 
 const ALL: Valid = Valid([-1; PACKET]);
 const ZERO: [f32; PACKET] = [0.0; PACKET];
@@ -24,8 +22,14 @@ const NO_RAYS: RTCRay16 = RTCRay16 {
     id: [0; PACKET],
     flags: [0; PACKET],
 };
-const NO_HITS: RTCHit16 =
-    RTCHit16 { ng: [ZERO; 3], u: ZERO, v: ZERO, prim_id: NONE, geom_id: NONE, inst_id: NONE };
+const NO_HITS: RTCHit16 = RTCHit16 {
+    ng: [ZERO; 3],
+    u: ZERO,
+    v: ZERO,
+    prim_id: NONE,
+    geom_id: NONE,
+    instances: [NONE; 2],
+};
 
 impl TriangleScene {
     /// The closest hit of each ray, by the kernel for packets of sixteen.
@@ -74,11 +78,11 @@ impl TriangleScene {
         query: &mut RTCRayHit16,
         hits: &mut [Hit; PACKET],
     ) {
-        let mut context = context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+        let ((library, scene), mut arguments) = (self.parts(), Arguments::new(true));
         put(rays, &mut query.ray);
         query.hit.geom_id = NONE;
         // SAFETY: the scene is committed; all structs are Embree's and aligned as it requires.
-        unsafe { rtcIntersect16(valid.0.as_ptr(), self.raw(), &mut context, query) };
+        unsafe { library.intersect_packet(valid, scene, &mut arguments, query) };
         let RTCHit16 { u, v, prim_id, geom_id, .. } = &query.hit;
         for (lane, hit) in hits.iter_mut().enumerate() {
             *hit = if geom_id[lane] == RTC_INVALID_GEOMETRY_ID {
@@ -103,10 +107,10 @@ impl TriangleScene {
         query: &mut RTCRay16,
         blocked: &mut [bool; PACKET],
     ) {
-        let mut context = context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+        let ((library, scene), mut arguments) = (self.parts(), Arguments::new(true));
         put(rays, query);
         // SAFETY: the scene is committed; all structs are Embree's and aligned as it requires.
-        unsafe { rtcOccluded16(valid.0.as_ptr(), self.raw(), &mut context, query) };
+        unsafe { library.occluded_packet(valid, scene, &mut arguments, query) };
         *blocked = query.tfar.map(|tfar| tfar == f32::NEG_INFINITY);
     }
 }

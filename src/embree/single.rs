@@ -3,11 +3,7 @@
 use crate::math::{Hit, Ray};
 
 use super::TriangleScene;
-use super::ffi::{
-    RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, RTC_INVALID_GEOMETRY_ID, RTCHit, RTCRay, RTCRayHit,
-    rtcIntersect1, rtcOccluded1,
-};
-use super::triangles::context;
+use super::ffi::{Arguments, RTC_INVALID_GEOMETRY_ID, RTCHit, RTCRay, RTCRayHit};
 
 const NO_HIT: RTCHit = RTCHit {
     ng: [0.0; 3],
@@ -15,7 +11,7 @@ const NO_HIT: RTCHit = RTCHit {
     v: 0.0,
     prim_id: RTC_INVALID_GEOMETRY_ID,
     geom_id: RTC_INVALID_GEOMETRY_ID,
-    inst_id: RTC_INVALID_GEOMETRY_ID,
+    instances: [RTC_INVALID_GEOMETRY_ID; 5],
 };
 
 impl TriangleScene {
@@ -25,11 +21,11 @@ impl TriangleScene {
     /// If the slices differ in length.
     pub fn intersect(&self, rays: &[Ray], hits: &mut [Hit]) {
         assert_eq!(rays.len(), hits.len(), "a hit for each ray");
-        let mut context = context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+        let ((library, scene), mut arguments) = (self.parts(), Arguments::new(false));
         for (ray, hit) in rays.iter().zip(hits) {
             let mut query = RTCRayHit { ray: rtc_ray(ray), hit: NO_HIT };
             // SAFETY: the scene is committed; both structs are Embree's and aligned as it requires.
-            unsafe { rtcIntersect1(self.raw(), &mut context, &mut query) };
+            unsafe { library.intersect(scene, &mut arguments, &mut query) };
             let RTCHit { u, v, prim_id, geom_id, .. } = query.hit;
             *hit = if geom_id == RTC_INVALID_GEOMETRY_ID {
                 Hit::MISS
@@ -45,11 +41,11 @@ impl TriangleScene {
     /// If the slices differ in length.
     pub fn occluded(&self, rays: &[Ray], blocked: &mut [bool]) {
         assert_eq!(rays.len(), blocked.len(), "an answer for each ray");
-        let mut context = context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+        let ((library, scene), mut arguments) = (self.parts(), Arguments::new(false));
         for (ray, blocked) in rays.iter().zip(blocked) {
             let mut query = rtc_ray(ray);
             // SAFETY: as above.
-            unsafe { rtcOccluded1(self.raw(), &mut context, &mut query) };
+            unsafe { library.occluded(scene, &mut arguments, &mut query) };
             *blocked = query.tfar == f32::NEG_INFINITY;
         }
     }

@@ -1,7 +1,6 @@
 //! Triangles that Embree indexes.
 
 use std::ffi::{c_int, c_uint};
-use std::ptr;
 
 use glam::Vec3;
 
@@ -9,11 +8,9 @@ use super::EmbreeError;
 use super::device::Device;
 use super::ffi::{
     RTC_BUFFER_TYPE_INDEX, RTC_BUFFER_TYPE_VERTEX, RTC_BUILD_QUALITY_HIGH, RTC_FORMAT_FLOAT3,
-    RTC_FORMAT_UINT3, RTC_GEOMETRY_TYPE_TRIANGLE, RTC_INVALID_GEOMETRY_ID, RTC_SCENE_FLAG_NONE,
-    RTCGeometry, RTCIntersectContext, RTCScene, rtcAttachGeometryByID, rtcCommitGeometry,
-    rtcCommitScene, rtcNewGeometry, rtcNewScene, rtcReleaseGeometry, rtcReleaseScene,
-    rtcSetNewGeometryBuffer, rtcSetSceneBuildQuality, rtcSetSceneFlags,
+    RTC_FORMAT_UINT3, RTC_GEOMETRY_TYPE_TRIANGLE, RTC_SCENE_FLAG_NONE, RTCGeometry, RTCScene,
 };
+use super::library::{Library, Version};
 
 /// Triangles while they are gathered.
 pub struct Builder(TriangleScene);
@@ -28,7 +25,7 @@ pub struct TriangleScene {
 }
 
 /// A scene of Embree's, released when it goes.
-struct OwnedScene(RTCScene);
+struct OwnedScene(&'static Library, RTCScene);
 
 // SAFETY: committed scenes may be traced from any thread, by several at once (manual, chapter
 // "Embree API"), and nothing but `Builder`, which is held exclusively, changes one.
@@ -39,17 +36,17 @@ unsafe impl Sync for OwnedScene {}
 impl Drop for OwnedScene {
     fn drop(&mut self) {
         // SAFETY: the scene is valid and is not used again.
-        unsafe { rtcReleaseScene(self.0) };
+        unsafe { (self.0.release_scene)(self.1) };
     }
 }
 
 /// A geometry of Embree's, released when it goes; a scene that it is attached to holds it too.
-struct OwnedGeometry(RTCGeometry);
+struct OwnedGeometry(&'static Library, RTCGeometry);
 
 impl Drop for OwnedGeometry {
     fn drop(&mut self) {
         // SAFETY: the geometry is valid and is not used again through this handle.
-        unsafe { rtcReleaseGeometry(self.0) };
+        unsafe { (self.0.release_geometry)(self.1) };
     }
 }
 
@@ -57,17 +54,18 @@ impl Builder {
     /// No triangles yet.
     ///
     /// # Errors
-    /// If Embree has no device for this machine.
-    pub fn new() -> Result<Self, EmbreeError> {
-        let device = Device::new(1)?;
+    /// If this version of Embree is not installed, or has no device for this machine.
+    pub fn new(version: Version) -> Result<Self, EmbreeError> {
+        let library = Library::get(version)?;
+        let device = Device::new(library, 1)?;
         // SAFETY: the device is valid.
-        let scene = unsafe { rtcNewScene(device.raw()) };
+        let scene = unsafe { (library.new_scene)(device.raw()) };
         device.check()?;
-        let scene = OwnedScene(scene);
+        let scene = OwnedScene(library, scene);
         // SAFETY: the scene is valid: its making was checked.
         unsafe {
-            rtcSetSceneBuildQuality(scene.0, RTC_BUILD_QUALITY_HIGH);
-            rtcSetSceneFlags(scene.0, RTC_SCENE_FLAG_NONE);
+            (library.set_build_quality)(scene.1, RTC_BUILD_QUALITY_HIGH);
+            (library.set_scene_flags)(scene.1, RTC_SCENE_FLAG_NONE);
         }
         device.check()?;
         Ok(Self(TriangleScene { scene, device, triangle_bytes: 0 }))
@@ -93,10 +91,11 @@ impl Builder {
         let in_range = |corner: &u32| (*corner as usize) < positions.len();
         assert!(triangles.as_flattened().iter().all(in_range), "indices are in range");
         let Self(TriangleScene { scene, device, .. }) = self;
+        let library = device.library();
         // SAFETY: the device is valid.
-        let geometry = unsafe { rtcNewGeometry(device.raw(), RTC_GEOMETRY_TYPE_TRIANGLE) };
+        let geometry = unsafe { (library.new_geometry)(device.raw(), RTC_GEOMETRY_TYPE_TRIANGLE) };
         device.check()?;
-        let geometry = OwnedGeometry(geometry);
+        let geometry = OwnedGeometry(library, geometry);
         let corners = positions.map(|p| p.to_array());
         fill(device, &geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, corners)?;
         let indices = triangles.iter().copied();
@@ -104,8 +103,8 @@ impl Builder {
         // SAFETY: geometry and scene are valid and of the same device; both buffers are filled,
         // and all indices are in range.
         unsafe {
-            rtcCommitGeometry(geometry.0);
-            rtcAttachGeometryByID(scene.0, geometry.0, object as c_uint);
+            (library.commit_geometry)(geometry.1);
+            (library.attach)(scene.1, geometry.1, object as c_uint);
         }
         device.check()
     }
@@ -119,10 +118,11 @@ impl Builder {
         // All of a process's builds have as many threads as the device that asks for the most, of
         // those that are there. So the devices that stay ask for one, and only for a build is there
         // one that asks for more.
-        let with_threads = Device::new(threads)?;
+        let library = triangles.device.library();
+        let with_threads = Device::new(library, threads)?;
         triangles.triangle_bytes = triangles.device.bytes();
         // SAFETY: the scene is valid, and nobody else has it.
-        unsafe { rtcCommitScene(triangles.scene.0) };
+        unsafe { (library.commit_scene)(triangles.scene.1) };
         drop(with_threads);
         triangles.device.check()?;
         Ok(triangles)
@@ -139,7 +139,7 @@ fn fill<T: Copy>(
 ) -> Result<(), EmbreeError> {
     let (stride, count) = (size_of::<[T; 3]>(), rows.len());
     // SAFETY: the geometry is valid.
-    let buffer = unsafe { rtcSetNewGeometryBuffer(geometry.0, kind, 0, format, stride, count) };
+    let buffer = unsafe { (geometry.0.new_buffer)(geometry.1, kind, 0, format, stride, count) };
     device.check()?;
     let buffer = buffer.cast::<[T; 3]>();
     for (i, row) in rows.take(count).enumerate() {
@@ -162,12 +162,8 @@ impl TriangleScene {
         self.device.bytes().saturating_sub(self.triangle_bytes)
     }
 
-    pub(super) fn raw(&self) -> RTCScene {
-        self.scene.0
+    /// The library, and its committed scene.
+    pub(super) fn parts(&self) -> (&'static Library, RTCScene) {
+        (self.scene.0, self.scene.1)
     }
-}
-
-/// The arguments of a query beside its rays.
-pub(super) fn context(flags: c_int) -> RTCIntersectContext {
-    RTCIntersectContext { flags, filter: ptr::null(), inst_id: RTC_INVALID_GEOMETRY_ID }
 }

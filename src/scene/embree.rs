@@ -3,20 +3,20 @@
 use std::error::Error;
 
 use crate::accel::Answers;
-use crate::embree::{Builder, TriangleScene};
+use crate::embree::{Builder, TriangleScene, Version};
 use crate::math::Ray;
 
 use super::foreign::{ForeignBuild, ForeignBytes, ForeignTracer, TriangleObject};
 
-/// Triangles in Embree, traced ray by ray or in `PACKETS` of sixteen.
-pub(super) struct Embree<const PACKETS: bool>(TriangleScene);
+/// Triangles in Embree 4, or else in Embree 3, traced ray by ray or in `PACKETS` of sixteen.
+pub(super) struct Embree<const FOUR: bool, const PACKETS: bool>(TriangleScene);
 
-impl<const PACKETS: bool> ForeignTracer for Embree<PACKETS> {
+impl<const FOUR: bool, const PACKETS: bool> ForeignTracer for Embree<FOUR, PACKETS> {
     fn build<'a>(
         objects: impl ExactSizeIterator<Item = TriangleObject<'a>>,
         build: &ForeignBuild<'_>,
     ) -> Result<Self, Box<dyn Error + Send + Sync>> {
-        let mut builder = Builder::new()?;
+        let mut builder = Builder::new(if FOUR { Version::Four } else { Version::Three })?;
         for (id, object) in objects.enumerate() {
             builder.add(id as u32, object.positions.iter().copied(), object.triangles)?;
         }

@@ -5,8 +5,8 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use crate::accel::{
-    Accel, BoundingBall, BuildConfig, BuildOptions, Bvh, Bvh8, CompressedWideBvh, Exhaustive,
-    Indexed, OptionError, OptionInfo, Tracer,
+    Accel, BallTree, BoundingBall, BuildConfig, BuildOptions, Bvh, Bvh8, CompressedWideBvh,
+    Exhaustive, Grid, Indexed, KdTree, Octree, OptionError, OptionInfo, Tracer, TwoLevelGrid,
 };
 use crate::assets::expect_memory;
 use crate::conformance::{self, FirstDifference, Limits, Summary};
@@ -28,6 +28,8 @@ pub struct Structure {
     /// Whether it is another program's, compared for its speed: its hits are close to those of the
     /// others, not equal, and it counts nothing.
     pub peer: bool,
+    /// Whether a comparison leaves it out where no structure is named.
+    pub on_request: bool,
     /// Its name without options.
     base_name: &'static str,
     /// The options that it offers: those of the structure over the triangles, then those of the one
@@ -70,6 +72,7 @@ impl Structure {
             name,
             summary,
             peer: false,
+            on_request: false,
             base_name: name,
             offered: [T::OPTIONS, O::OPTIONS],
             options: NO_OPTIONS,
@@ -92,6 +95,7 @@ impl Structure {
             name,
             summary,
             peer: true,
+            on_request: true,
             base_name: name,
             offered: [F::OPTIONS, &[]],
             options: NO_OPTIONS,
@@ -99,6 +103,12 @@ impl Structure {
             build: |scene, config| Ok(Box::new(ForeignWorld::<F>::build(scene, config)?)),
             equal: None,
         }
+    }
+
+    /// The same, left out of comparisons that do not name it.
+    #[must_use]
+    pub const fn on_request(self) -> Self {
+        Self { on_request: true, ..self }
     }
 
     /// Its name without options.
@@ -227,7 +237,8 @@ fn kept(name: String, options: BuildOptions) -> &'static Chosen {
     })
 }
 
-/// All structures, the simplest first: those that give equal hits.
+/// All structures that give equal hits: those that every comparison has, the simplest first, and then those
+/// that it has on request.
 ///
 /// A `static`: a crate that names a constant compiles all that it refers to, every kernel of every structure, again.
 pub static STRUCTURES: &[Structure] = &[
@@ -242,19 +253,39 @@ pub static STRUCTURES: &[Structure] = &[
         "bvh8",
         "an eight-wide tree over objects and triangles: many rays at once",
     ),
+    Structure::new::<KdTree, KdTree>("kdtree", "a kd-tree over objects and triangles").on_request(),
+    Structure::new::<Grid, Grid>("grid", "a uniform grid over objects and triangles").on_request(),
+    Structure::new::<TwoLevelGrid, TwoLevelGrid>(
+        "grid2",
+        "a grid of grids over objects and triangles",
+    )
+    .on_request(),
+    Structure::new::<Octree, Octree>("octree", "an octree over objects and triangles").on_request(),
+    Structure::new::<BallTree, BallTree>("balls", "a tree of balls over objects and triangles")
+        .on_request(),
 ];
 
 /// What the structures are measured against, where the program was built with it.
 pub static PEERS: &[Structure] = &[
     #[cfg(feature = "embree")]
-    Structure::foreign::<Embree<false>>(
+    Structure::foreign::<Embree<false, false>>(
         "embree",
-        "Intel's Embree, ray by ray: a peer, for scenes of triangles",
+        "Intel's Embree 3, ray by ray: a peer, for scenes of triangles",
     ),
     #[cfg(feature = "embree")]
-    Structure::foreign::<Embree<true>>(
+    Structure::foreign::<Embree<false, true>>(
         "embree16",
-        "Intel's Embree, in packets of 16 rays: a peer, for scenes of triangles",
+        "Intel's Embree 3, in packets of 16 rays: a peer, for scenes of triangles",
+    ),
+    #[cfg(feature = "embree")]
+    Structure::foreign::<Embree<true, false>>(
+        "embree4",
+        "Intel's Embree 4, ray by ray: a peer, for scenes of triangles",
+    ),
+    #[cfg(feature = "embree")]
+    Structure::foreign::<Embree<true, true>>(
+        "embree4x16",
+        "Intel's Embree 4, in packets of 16 rays: a peer, for scenes of triangles",
     ),
 ];
 

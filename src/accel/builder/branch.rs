@@ -18,6 +18,14 @@ pub(super) enum Branch {
 type Move = (Vec<Bvh2Node>, u32);
 
 impl Branch {
+    /// The box of its root.
+    pub(super) fn bounds(&self) -> Aabb {
+        match self {
+            Self::Fork(bounds, _) => *bounds,
+            Self::Grown(nodes) => *nodes[0].aabb(),
+        }
+    }
+
     /// All nodes as one list: the forks, then what was grown below each of them.
     pub(super) fn into_nodes(self) -> Vec<Bvh2Node> {
         let (forks, grown) = self.sizes();

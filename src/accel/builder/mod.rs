@@ -1,21 +1,31 @@
 //! Binary trees with one or a few primitives in each leaf: what the layouts of structures are made
 //! from.
 //!
-//! A builder knows boxes and no layout, and a layout takes the tree of any builder. Clustering goes
-//! from the bottom up: PLOC (Meister, Bittner: *Parallel Locally-Ordered Clustering for Bounding
-//! Volume Hierarchy Construction*, 2018), by obvhs. The surface area heuristic goes from the top down
-//! (`binned.rs`), more or less closely (`terms.rs`). Either tree can be improved by obvhs's
-//! reinsertion (Meister, Bittner: *Parallel Reinsertion for Bounding Volume Hierarchy Optimization*,
-//! 2018), as the quality says.
+//! A builder knows boxes and no layout, and a layout takes the tree of any builder:
+//!
+//! * `sah` (`binned.rs`): from the top by the surface area heuristic in bins, more or less closely
+//!   (`terms.rs`);
+//! * `ploc` (obvhs): from the bottom by clustering (Meister, Bittner: *Parallel Locally-Ordered
+//!   Clustering for Bounding Volume Hierarchy Construction*, 2018);
+//! * `sweep` (`all_places.rs`): from the top by the surface area heuristic, with all places weighed;
+//! * `median` (`median.rs`): from the top, halved by number;
+//! * `lbvh` (`lbvh.rs`): along Morton's curve.
+//!
+//! Each can be improved by obvhs's reinsertion (Meister, Bittner: *Parallel Reinsertion for Bounding Volume
+//! Hierarchy Optimization*, 2018), as the quality says. None depends on the number of threads.
 
+mod all_places;
 mod binned;
 mod bins;
 mod branch;
+mod lbvh;
+mod median;
 mod reference;
 mod sorted;
 mod split;
 mod sweep;
 mod terms;
+mod top_down;
 
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
@@ -32,10 +42,19 @@ pub(super) enum Builder {
     Sah,
     /// From the bottom up by clustering.
     Ploc,
+    /// From the top down by the surface area heuristic, all places weighed.
+    Sweep,
+    /// From the top down, halved by number.
+    Median,
+    /// Along Morton's curve.
+    Lbvh,
 }
 
 impl Builder {
-    const WORDS: &[&str] = &["sah", "ploc"];
+    const ALL: [Self; 5] = [Self::Sah, Self::Ploc, Self::Sweep, Self::Median, Self::Lbvh];
+
+    /// What they are called, in the same order.
+    const WORDS: &[&str] = &["sah", "ploc", "sweep", "median", "lbvh"];
 
     /// The option that chooses it, with what holds where it is not given.
     pub(super) const fn option(default: &'static str) -> OptionInfo {
@@ -43,13 +62,15 @@ impl Builder {
             name: "builder",
             allowed: Allowed::Words(Self::WORDS),
             default,
-            summary: "binary tree by the surface area heuristic or by clustering",
+            summary: "binary tree by the surface area heuristic (in bins or by a sweep over all places), by \
+                      clustering, by halves of equal number or along Morton's curve",
         }
     }
 
     /// What was chosen.
     pub(super) fn chosen(options: &BuildOptions, option: &OptionInfo) -> Option<Self> {
-        options.word(option).map(|word| if word == Self::WORDS[0] { Self::Sah } else { Self::Ploc })
+        let chosen = options.word(option)?;
+        Self::WORDS.iter().zip(Self::ALL).find(|(word, _)| **word == chosen).map(|(_, own)| own)
     }
 
     /// Builds a tree over at least one primitive, for leaves in which `pack` primitives, a power of two,
@@ -63,14 +84,15 @@ impl Builder {
         stages: &mut BuildStages,
     ) -> Bvh2 {
         let parameters = quality.parameters();
+        // Primitives are reinserted one by one.
+        let whole = pack > 1 && self.reinserted(quality) == 0.0;
+        let most = if whole { most as usize } else { 1 };
+        let terms = Terms { pack_bits: pack.ilog2(), most, effort: Effort::of(quality) };
         let mut tree = match self {
-            Self::Sah => {
-                // Primitives are reinserted one by one.
-                let whole = pack > 1 && self.reinserted(quality) == 0.0;
-                let most = if whole { most as usize } else { 1 };
-                let effort = Effort::of(quality);
-                binned::build(primitives, Terms { pack_bits: pack.ilog2(), most, effort }, stages)
-            }
+            Self::Sah => binned::build(primitives, terms, stages),
+            Self::Sweep => all_places::build(primitives, terms, stages),
+            Self::Median => median::build(primitives, stages),
+            Self::Lbvh => lbvh::build(primitives, stages),
             Self::Ploc => {
                 let boxes = stages.time("boxes", || obvhs_boxes(primitives));
                 let build = || {
@@ -92,9 +114,12 @@ impl Builder {
     /// The share of the nodes that are reinserted in each round.
     pub(super) fn reinserted(self, quality: Quality) -> f32 {
         match (self, quality) {
-            // That tree is as good without.
-            (Self::Sah, Quality::Fastest | Quality::Fast | Quality::Medium) => 0.0,
-            _ => quality.parameters().reinsertion_batch_ratio,
+            // The tree of bins is as good without, and the others are what they are called as long as no
+            // more than a usual build is wanted.
+            (Self::Ploc, _) | (_, Quality::Slow | Quality::Slowest) => {
+                quality.parameters().reinsertion_batch_ratio
+            }
+            _ => 0.0,
         }
     }
 }
@@ -111,7 +136,7 @@ pub(super) mod tests {
     use glam::Vec3A;
 
     use super::*;
-    use crate::math::Aabb;
+    use crate::math::{Aabb, Random};
 
     /// Boxes of nothing else.
     pub(in super::super) struct Boxes(pub(in super::super) Vec<Aabb>);
@@ -128,5 +153,115 @@ pub(super) mod tests {
         fn mean_point(&self) -> Vec3A {
             self.total_bounds().center()
         }
+    }
+
+    const BUILDERS: [Builder; 5] = Builder::ALL;
+
+    fn tree(builder: Builder, boxes: &[Aabb], [pack, most]: [u32; 2], quality: Quality) -> Bvh2 {
+        let boxes = Boxes(boxes.to_vec());
+        builder.tree(&boxes, pack, most, quality, &mut BuildStages::default())
+    }
+
+    fn boxes(count: u32) -> Vec<Aabb> {
+        let mut random = Random::new(&[29, u64::from(count)]);
+        let mut point = || Vec3A::from_array(std::array::from_fn(|_| random.next_f32()));
+        (0..count)
+            .map(|_| (point(), point()))
+            .map(|(a, b)| Aabb { min: a, max: a + 0.1 * b })
+            .collect()
+    }
+
+    /// Every primitive once, boxes that are the unions of those below, leaves that are not too large.
+    fn assert_whole(tree: &Bvh2, boxes: &[Aabb], most: u32) {
+        let mut seen = vec![false; boxes.len()];
+        let (mut open, mut nodes) = (vec![0], 0);
+        while let Some(index) = open.pop() {
+            nodes += 1;
+            let node = &tree.nodes[index as usize];
+            let first = node.first_index as usize;
+            let around = if node.is_leaf() {
+                assert!(node.prim_count <= most, "{} in a leaf", node.prim_count);
+                let own = &tree.primitive_indices[first..first + node.prim_count as usize];
+                own.iter().fold(Aabb::EMPTY, |around, &primitive| {
+                    assert!(!std::mem::replace(&mut seen[primitive as usize], true));
+                    around.union(boxes[primitive as usize])
+                })
+            } else {
+                open.extend([node.first_index, node.first_index + 1]);
+                let [a, b] = [first, first + 1].map(|child| *tree.nodes[child].aabb());
+                Aabb { min: a.min.min(b.min), max: a.max.max(b.max) }
+            };
+            assert_eq!(Aabb { min: node.aabb().min, max: node.aabb().max }, around);
+        }
+        assert!(seen.iter().all(|&seen| seen), "a primitive is lost");
+        assert_eq!(nodes, tree.nodes.len());
+    }
+
+    #[test]
+    fn words_name_the_builders() {
+        let option = Builder::option("sah");
+        for (word, builder) in Builder::WORDS.iter().zip(BUILDERS) {
+            let options = BuildOptions::of::<super::super::Bvh>(&format!("builder={word}"));
+            assert_eq!(Builder::chosen(&options.expect(word), &option), Some(builder));
+        }
+        assert_eq!(Builder::chosen(&BuildOptions::NONE, &option), None);
+    }
+
+    #[test]
+    fn every_builder_holds_all_primitives_in_the_boxes_around_them() {
+        for builder in BUILDERS {
+            for count in [1, 2, 3, 17, 1_000, 20_000] {
+                for (leaves, quality) in
+                    [([1, 1], Quality::Medium), ([8, 8], Quality::Medium), ([8, 8], Quality::Slow)]
+                {
+                    let boxes = boxes(count);
+                    assert_whole(&tree(builder, &boxes, leaves, quality), &boxes, leaves[1]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn equal_boxes_and_boxes_that_are_not_finite_lose_no_primitive() {
+        for builder in [Builder::Sah, Builder::Sweep, Builder::Median, Builder::Lbvh] {
+            let same = vec![boxes(1)[0]; 5_000];
+            assert_whole(&tree(builder, &same, [1, 1], Quality::Medium), &same, 1);
+            let mut boxes = boxes(6_000);
+            for (i, bounds) in boxes.iter_mut().enumerate().filter(|(i, _)| i % 7 == 0) {
+                let far = if i % 2 == 0 { f32::INFINITY } else { f32::MAX };
+                *bounds = Aabb { min: Vec3A::splat(-far), max: Vec3A::splat(far) };
+            }
+            assert_whole(&tree(builder, &boxes, [8, 8], Quality::Medium), &boxes, 8);
+        }
+    }
+
+    #[test]
+    fn the_number_of_threads_changes_no_tree() {
+        let boxes = boxes(30_000);
+        for builder in BUILDERS {
+            let on = |threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+                pool.expect("a pool").install(|| tree(builder, &boxes, [8, 8], Quality::Medium))
+            };
+            let (one, three) = (on(1), on(3));
+            assert_eq!(one.primitive_indices, three.primitive_indices);
+            assert_eq!(format!("{:?}", one.nodes), format!("{:?}", three.nodes));
+        }
+    }
+
+    #[test]
+    fn a_sweep_over_all_places_costs_no_more_than_bins_and_halves_cost_the_most() {
+        let boxes = boxes(5_000);
+        let cost = |builder| {
+            let tree = tree(builder, &boxes, [1, 1], Quality::Medium);
+            let inner = tree.nodes.iter().filter(|node| !node.is_leaf());
+            inner.map(|node| f64::from(node.aabb().half_area())).sum::<f64>()
+        };
+        let [bins, sweep, median, curve] =
+            [Builder::Sah, Builder::Sweep, Builder::Median, Builder::Lbvh].map(cost);
+        assert!(
+            sweep < 1.02 * bins && bins < median && bins < curve,
+            "{bins} {sweep} {median} {curve}"
+        );
     }
 }

@@ -84,6 +84,7 @@ impl<R> Terms<R> {
 
     /// Works out what the slab test needs. Returns origins, directions, and 1/direction.
     #[inline(always)]
+    #[allow(clippy::needless_range_loop, reason = "wide values do not go through iterators")]
     fn prepare_slabs<S: Simd>(&mut self, rays: &[Ray], padding: Padding) -> [Lanes3<S::F8>; 3] {
         let [a, b, c, d, e, f, g, h] = self.index;
         let [ox, oy, oz, t_min, dx, dy, dz, t_max] = S::transpose_eight([

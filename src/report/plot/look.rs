@@ -1,7 +1,7 @@
 //! Which colour, marker and dashes a structure has.
 //!
-//! A look follows from the structure's name, so a structure looks the same in every report. The built-in structures and
-//! peers have fixed looks of their own. Any other name is hashed to one of the remaining looks. Two names of one report
+//! A look follows from the structure's name, so a structure looks the same in every report. The built-in structures
+//! and peers have fixed looks of their own. Any other name is hashed to one of the remaining looks. Two names of one report
 //! never share a look while there are looks left: 84 in all.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,10 +15,16 @@ const COLORS: usize = 7;
 const DASHES: usize = 6;
 
 /// Looks that no built-in structure has.
-const FREE: usize = COLORS * (MARKERS - 1);
+const FREE: usize = COLORS * (MARKERS - ROWS);
+
+/// Rows of looks that built-in structures have.
+const ROWS: usize = 2;
 
 /// The names with fixed looks: place n has colour n, marker n and a solid line.
 const FIXED: [&str; COLORS] = ["none", "ball", "bvh", "cwbvh", "bvh8", "embree", "embree16"];
+
+/// More of them, in the row behind: place n has colour n, the marker after n and dashes.
+const FIXED_DASHED: [&str; 5] = ["kdtree", "grid", "grid2", "octree", "balls"];
 
 /// How a structure is drawn. Colour and marker together identify it; where a line is drawn without markers, structures
 /// of the same colour differ by their dashes.
@@ -30,7 +36,7 @@ pub(in crate::report) struct Look {
 }
 
 impl Look {
-    /// The look of a colour in a row. Row 0 is that of the fixed looks.
+    /// The look of a colour in a row. The first rows are those of the fixed looks.
     fn new(row: usize, color: usize) -> Self {
         let dash = if row == 0 { 0 } else { 1 + (row - 1) % DASHES };
         Self { color, marker: (color + row) % MARKERS, dash }
@@ -43,7 +49,7 @@ impl Look {
 
     /// A look that no built-in structure has; neighbours differ in colour.
     fn free(slot: usize) -> Self {
-        Self::new(1 + slot / COLORS, slot % COLORS)
+        Self::new(ROWS + slot / COLORS, slot % COLORS)
     }
 
     /// The number of the marker, below [`MARKERS`].
@@ -104,7 +110,10 @@ impl Looks {
 }
 
 fn fixed(name: &str) -> Option<Look> {
-    FIXED.iter().position(|own| *own == name).map(|color| Look::new(0, color))
+    let place = |row, names: &[&str]| {
+        names.iter().position(|own| *own == name).map(|color| Look::new(row, color))
+    };
+    place(0, &FIXED).or_else(|| place(1, &FIXED_DASHED))
 }
 
 /// Which of the free looks a name is hashed to, by FNV-1a: the same in every version and on every machine.
@@ -150,6 +159,10 @@ mod tests {
             let own = Look { color: number, marker: number, dash: 0 };
             assert_eq!((looks(&names).get(name), alone.get(name)), (own, own), "{name}");
         }
+        let fixed: BTreeSet<Look> =
+            FIXED.iter().chain(&FIXED_DASHED).map(|name| alone.get(name)).collect();
+        assert_eq!(fixed.len(), FIXED.len() + FIXED_DASHED.len());
+        assert!((0..FREE).all(|slot| !fixed.contains(&Look::free(slot))));
     }
 
     #[test]
