@@ -37,7 +37,7 @@ impl Random {
 
     /// Leaves out so many steps of the stream.
     #[inline]
-    pub(crate) fn skip(&mut self, steps: u64) {
+    pub fn skip(&mut self, steps: u64) {
         self.0 = self.0.wrapping_add(GOLDEN_GAMMA.wrapping_mul(steps));
     }
 
