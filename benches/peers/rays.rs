@@ -15,8 +15,8 @@ const RAYS_PER_CALL: usize = 4096;
 
 const SEED: u64 = 1;
 
-/// A set for each of [`CLASSES`], with the rays of all views: a view ray through each pixel's centre; from what these hit, shadow
-/// rays to a point light, diffuse and mirror rays; as many parallel rays along an axis as pixels.
+/// A set for each of [`CLASSES`], with the rays of all views: a view ray through each pixel's centre; from what these
+/// hit, shadow rays to a point light, diffuse and mirror rays; as many parallel rays along an axis as pixels.
 pub(crate) fn ray_sets(views: &[(Scene, Vec3)], tracer: &dyn Tracer) -> Vec<RaySet> {
     let of_views = views.iter().map(|(scene, light)| sets_of_view(scene, tracer, *light));
     let joined = of_views.reduce(|mut sets, more| {

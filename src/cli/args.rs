@@ -80,6 +80,8 @@ pub(crate) enum Command {
     Diff(DiffArguments),
     /// Generate a mesh as a Wavefront OBJ file
     Mesh(MeshArguments),
+    /// List the acceleration structures with their options
+    Accels,
     /// Print the completions of a shell
     Completions(CompletionsArguments),
     /// Print the man page, or write it and those of the subcommands into a folder

@@ -15,7 +15,7 @@
 //! | `refine.rs`, `checkpoint.rs`, `origin.rs` | a rendering in passes, saved and gone on with; what it is of |
 //! | `part.rs`, `assemble.rs` | the subcommands for many machines |
 //! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `rays.rs` | the subcommands |
-//! | `check.rs`, `diff.rs`, `mesh.rs` | smaller ones |
+//! | `check.rs`, `diff.rs`, `mesh.rs`, `accels.rs` | smaller ones |
 //! | `completions.rs`, `man.rs` | the subcommands that print the definition in other forms |
 //! | `output/` | where results go, whole or not at all |
 //! | `ray_files.rs` | the files of rays of a comparison |
@@ -27,6 +27,7 @@
 //! | `figures.rs`, `summary.rs` | the figures of a rendering, and their text |
 //! | `exit.rs` | how the command ends |
 
+mod accels;
 mod args;
 mod assemble;
 mod check;
@@ -124,6 +125,7 @@ fn dispatch(structures: &Structures) -> CommandResult {
         Some(Command::Rays(rays)) => rays::run(&rays),
         Some(Command::Diff(diff)) => diff::run(&diff),
         Some(Command::Mesh(mesh)) => mesh::run(&mesh),
+        Some(Command::Accels) => accels::run(structures),
         Some(Command::Completions(completions)) => {
             completions::run(&completions, command_line::command(structures))
         }

@@ -10,7 +10,7 @@ use clap::{Arg, Command};
 
 use super::exit::Failure;
 use super::near::nearest;
-use crate::accel::{Allowed, OptionError};
+use crate::accel::{Allowed, OptionError, OptionInfo};
 use crate::scene::{PEERS, STRUCTURES, Structure};
 
 /// All that can be named, in the order in which the help lists them.
@@ -50,6 +50,11 @@ impl Structures {
         }
     }
 
+    /// All of them.
+    pub(super) fn all(&self) -> &[Structure] {
+        &self.0
+    }
+
     /// The argument, with the options of all structures in its long help.
     pub(crate) fn explained_in(&self, arg: Arg) -> Arg {
         let short = arg.get_help().map(ToString::to_string).unwrap_or_default();
@@ -62,10 +67,7 @@ impl Structures {
             "A structure's options follow its name: NAME:OPTION=VALUE,OPTION=VALUE\n".to_owned();
         for one in &self.0 {
             for option in one.offered_options() {
-                let values = match option.allowed {
-                    Allowed::Words(words) => words.join("|"),
-                    Allowed::Numbers(least, most) => format!("{least}..{most}"),
-                };
+                let values = values_in_words(option);
                 let (of, name, summary, default) =
                     (one.name, option.name, option.summary, option.default);
                 // Text takes what is written to it.
@@ -111,6 +113,14 @@ impl Structures {
     fn names(&self) -> PossibleValuesParser {
         let value = |one: &Structure| PossibleValue::new(one.name).help(one.summary);
         PossibleValuesParser::new(self.0.iter().map(value).collect::<Vec<_>>())
+    }
+}
+
+/// What an option may be: `sah|ploc`, or `1..8`.
+pub(super) fn values_in_words(option: &OptionInfo) -> String {
+    match option.allowed {
+        Allowed::Words(words) => words.join("|"),
+        Allowed::Numbers(least, most) => format!("{least}..{most}"),
     }
 }
 

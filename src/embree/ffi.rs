@@ -1,7 +1,7 @@
 //! The types of Embree's C interface that are used, as `rtcore.h` of versions 3.13 and 4.4 declares them.
 //!
-//! Names and layouts are Embree's, so that they can be looked up in its manual. Rays are laid out alike in both versions;
-//! hits end with instances, of which version 4 notes more, and there is room for them.
+//! Names and layouts are Embree's, so that they can be looked up in its manual. Rays are laid out alike in both
+//! versions; hits end with instances, of which version 4 notes more, and there is room for them.
 
 #![allow(non_camel_case_types, reason = "Embree's names")]
 

@@ -103,8 +103,8 @@ impl<R> Memory<R> {
     }
 }
 
-/// Whether directions of some of the rays differ in a sign. Such rays make no packet; most of those that do not are told
-/// by so few.
+/// Whether directions of some of the rays differ in a sign. Such rays make no packet, and a few of sixteen tell most
+/// of them.
 #[inline(always)]
 fn in_several_octants(rays: &[Ray; RAYS]) -> bool {
     let [a, b, c, d] = [&rays[0], &rays[5], &rays[10], &rays[15]];

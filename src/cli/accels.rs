@@ -1,0 +1,56 @@
+//! `srt accels`: the structures that this program has, and what each can be told.
+
+use std::fmt::Write as _;
+
+use super::exit::{CommandResult, Exit, Failure};
+use super::output::Output;
+use super::structures::{Structures, values_in_words};
+use crate::scene::Structure;
+
+/// Prints them, the options of each below it.
+pub(super) fn run(structures: &Structures) -> CommandResult {
+    let text = table(structures);
+    Output::stdout().write(|to| to.write_all(text.as_bytes())).map_err(Failure::from)?;
+    Ok(Exit::Fine)
+}
+
+fn table(structures: &Structures) -> String {
+    let width = structures.all().iter().map(|one| one.name.len()).max().unwrap_or(0);
+    let mut text = String::new();
+    for one in structures.all() {
+        // Text takes what is written to it.
+        let _ = writeln!(text, "{:width$}  {}{}", one.name, one.summary, when(one));
+        for option in one.offered_options() {
+            let (name, values) = (option.name, values_in_words(option));
+            let (summary, default) = (option.summary, option.default);
+            let _ =
+                writeln!(text, "{:width$}    {name}={values}: {summary} [default: {default}]", "");
+        }
+    }
+    text
+}
+
+/// Where a comparison has it.
+fn when(one: &Structure) -> &'static str {
+    if one.on_request && !one.peer { " (compared if it is named)" } else { "" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::{Bvh, Exhaustive};
+
+    #[test]
+    fn each_has_a_line_and_one_for_each_option() {
+        const MINE: Structure = Structure::new::<Bvh, Exhaustive>("mine", "one of your own");
+        let text = table(&Structures::with(&[MINE]).unwrap());
+        for one in crate::scene::STRUCTURES.iter().chain(crate::scene::PEERS).chain([&MINE]) {
+            let line = text.lines().find(|line| line.starts_with(&format!("{} ", one.name)));
+            assert!(line.is_some_and(|line| line.contains(one.summary)), "{}: {text}", one.name);
+        }
+        let options = crate::scene::STRUCTURES.iter().chain(crate::scene::PEERS).chain([&MINE]);
+        let options: usize = options.map(|one| one.offered_options().count()).sum();
+        assert_eq!(text.matches(" [default: ").count(), options);
+        assert!(text.contains("    builder=sah|"), "{text}");
+    }
+}
