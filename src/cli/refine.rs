@@ -123,15 +123,16 @@ impl Refinement {
             (Some(checkpoint), Some(origin)) => checkpoint.keeping(origin, film, passes),
             _ => passes(),
         };
-        let (mut stats, stopped_by) = passed?;
         drop(progress);
-        let coverage = film.coverage();
-        let image = Image::of(film, settings.view);
-        stats.time = start.elapsed();
+        // Whatever ended them: what is rendered is saved.
         let not_saved = match (&self.checkpoint, &begun.origin) {
             (Some(checkpoint), Some(origin)) => checkpoint.save(origin, film).err(),
             _ => None,
         };
+        let (mut stats, stopped_by) = passed?;
+        let coverage = film.coverage();
+        let image = Image::of(film, settings.view);
+        stats.time = start.elapsed();
         let complete = coverage.is_complete();
         Ok(Outcome {
             rendering: Rendering {
