@@ -98,6 +98,7 @@ mod tests {
             "srt-rays-import.1",
             "srt-diff.1",
             "srt-mesh.1",
+            "srt-accels.1",
             "srt-completions.1",
             "srt-man.1",
         ];
