@@ -17,7 +17,7 @@ use srt::accel::{
 use srt::conformance::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
 use srt::conformance::axis_grids::grids_over;
 use srt::conformance::nasty_meshes::{self, Mesh};
-use srt::math::{Hit, Ray};
+use srt::math::{Hit, Random, Ray};
 use srt::scene::{STRUCTURES, Structure};
 use srt::shapes::TriangleSet;
 
@@ -244,6 +244,49 @@ fn a_tree_too_deep_for_the_stacks_of_the_kernels() {
             let alone = tree.hit(ray);
             assert!(alone.same_bits(hit), "{ray:?}: {alone:?}, expected {hit:?}");
         }
+    }
+}
+
+/// Hills of `2·side²` triangles over the unit square.
+fn hills(side: u32) -> Mesh {
+    let mut random = Random::new(&[41, u64::from(side)]);
+    let place = |i: u32| i as f32 / side as f32;
+    let mut mesh = nasty_meshes::empty("hills");
+    for y in 0..=side {
+        for x in 0..=side {
+            let height = 0.1 * (9.0 * place(x)).sin() * (7.0 * place(y)).cos();
+            mesh.positions.push(Vec3::new(place(x), place(y), height + 1e-3 * random.next_f32()));
+        }
+    }
+    for y in 0..side {
+        for x in 0..side {
+            let [a, b] = [y * (side + 1) + x, (y + 1) * (side + 1) + x];
+            mesh.triangles.extend([[a, a + 1, b], [b, a + 1, b + 1]]);
+        }
+    }
+    mesh
+}
+
+/// Beyond the caches of a core waves have more rays, and beyond those of a processor they prefetch.
+#[test]
+fn meshes_larger_than_caches() {
+    for (side, megabytes, count) in [(400, 8, 1_200), (950, 32, 300)] {
+        let mesh = hills(side);
+        let (tree, none) = (
+            indexed::<Bvh8>(&mesh, Quality::Medium),
+            indexed::<Exhaustive>(&mesh, Quality::Medium),
+        );
+        assert!(tree.shape().bytes + tree.primitives().bytes() > megabytes << 20);
+        let mut random = Random::new(&[43, u64::from(side)]);
+        let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32()));
+        let rays: Vec<Ray> = (0..for_this_isa(count))
+            .map(|_| (point() - Vec3::new(0.0, 0.0, 0.5), point() - 0.5))
+            .map(|(origin, dir)| Ray::new(origin, dir))
+            .collect();
+        let expected = trace(&none, &rays);
+        let hits = expected.0.iter().filter(|hit| hit.is_hit()).count();
+        assert!(hits > rays.len() / 4 && hits < rays.len(), "{hits} hits");
+        assert_equal("bvh8", &tree, &rays, &expected);
     }
 }
 

@@ -10,6 +10,15 @@ use super::node::Child;
 /// Bytes that a processor's caches hold, about.
 const CACHE: u64 = 1 << 25;
 
+/// Bytes that fit into the cache of a core, about; what is larger comes from one that is farther away.
+const CORE_CACHE: u64 = 1 << 23;
+
+/// Rays of a wave.
+const IN_FLIGHT: usize = 32;
+
+/// Rays of a wave where nodes and packs come from farther away, and more rays are to wait for them together.
+pub(super) const MOST_IN_FLIGHT: usize = 64;
+
 /// What is searched, and for what.
 pub(super) struct Task<'a, P: Primitives, Q> {
     pub(super) tree: &'a Bvh8,
@@ -20,6 +29,8 @@ pub(super) struct Task<'a, P: Primitives, Q> {
     /// Whether nodes and packs do not fit into the caches, so that what rays are
     /// about to read is prefetched.
     pub(super) large: bool,
+    /// How many rays a wave has in flight.
+    pub(super) in_flight: usize,
 }
 
 impl<'a, P: Primitives, Q: Query> Task<'a, P, Q> {
@@ -27,7 +38,8 @@ impl<'a, P: Primitives, Q: Query> Task<'a, P, Q> {
         let packs = primitives.packs();
         let bytes = size_of_val(&tree.nodes[..]) as u64 + packs.bytes();
         let padding = primitives.padding();
-        Self { tree, query, primitives, packs, padding, large: bytes > CACHE }
+        let in_flight = if bytes > CORE_CACHE { MOST_IN_FLIGHT } else { IN_FLIGHT };
+        Self { tree, query, primitives, packs, padding, large: bytes > CACHE, in_flight }
     }
 
     /// Prefetches what will be visited soon.

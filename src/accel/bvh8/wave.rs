@@ -17,10 +17,10 @@ use super::diverged::{Diverged, DivergedRay};
 use super::incoming::{Incoming, Next, Terms};
 use super::node::{Child, near_planes, order_shift};
 use super::slab_ray::SlabRay;
-use super::task::Task;
+use super::task::{MOST_IN_FLIGHT, Task};
 
-/// Rays in flight.
-const RAYS: usize = 32;
+/// The most rays in flight.
+const RAYS: usize = MOST_IN_FLIGHT;
 
 /// Room for the entries, for the row that is written at once beyond them, and up to a whole cache line.
 const ROOM: usize = HEIGHT + 2 * PACK;
@@ -253,7 +253,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
     let (mut leaves, mut leaves_now) = (List::new(c), List::new(d));
     let (mut improved, mut done) = (List::new(e), List::new(f));
     let mut incoming = Incoming::new(rays, which, diverged);
-    for (id, slot) in slots.iter_mut().enumerate() {
+    for (id, slot) in slots.iter_mut().enumerate().take(task.in_flight) {
         slot.ray = NONE;
         done.append(id as u8, true);
     }
