@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use super::super::{Bounded, BuildStages};
 use super::branch::Branch;
 use super::reference::{Corners, Reference};
-use super::terms::{PACK_COST, Terms};
+use super::terms::Terms;
 
 /// From this depth on primitives are halved by number: no tree is deeper than this and 32 more.
 const USUAL_DEPTH: u32 = 96;
@@ -25,10 +25,7 @@ const PARALLEL: usize = 1 << 12;
 
 /// Builds a tree over at least one primitive.
 pub(super) fn build(primitives: &impl Bounded, terms: Terms, stages: &mut BuildStages) -> Bvh2 {
-    let references: Vec<Reference> = stages.time("boxes", || {
-        let each = (0..primitives.count()).into_par_iter();
-        each.map(|index| Reference::new(index, &primitives.bounds(index))).collect()
-    });
+    let references = stages.time("boxes", || Reference::all(primitives));
     tree(&references, terms, stages)
 }
 
@@ -136,29 +133,20 @@ impl Sweep {
             bounds = Corners::EMPTY;
             for (before, &index) in (1..).zip(&*part.lists[axis]) {
                 bounds = bounds.union(&self.boxes[index as usize]);
-                costs.push(self.cost(&bounds, before));
+                costs.push(self.terms.cost(bounds.half_area(), before));
             }
             let mut behind = Corners::EMPTY;
             for before in (1..count).rev() {
                 behind = behind.union(&self.boxes[part.lists[axis][before] as usize]);
-                let cost = costs[before - 1] + self.cost(&behind, count - before);
+                let cost = costs[before - 1] + self.terms.cost(behind.half_area(), count - before);
                 if cost < least {
                     (least, best) = (cost, Place { axis, before });
                 }
             }
         }
-        let as_leaf = bounds.half_area() * (PACK_COST + count as f32);
-        let is_leaf = count <= self.terms.most && as_leaf <= least;
+        let is_leaf =
+            count <= self.terms.most && self.terms.cost(bounds.half_area(), count) <= least;
         (bounds, (!is_leaf).then_some(best))
-    }
-
-    /// The area of a box times the cost of so many primitives: that of the packs that they fill, and of
-    /// each of them.
-    #[inline(always)]
-    fn cost(&self, bounds: &Corners, count: usize) -> f32 {
-        let bits = self.terms.pack_bits;
-        let packs = (count + (1 << bits) - 1) >> bits;
-        bounds.half_area() * (PACK_COST * packs as f32 + count as f32)
     }
 
     /// The primitives before a place, and those behind it.

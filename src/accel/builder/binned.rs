@@ -12,13 +12,13 @@ use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 use rayon::prelude::*;
 
-use crate::simd::{ask_for_huge_pages, dispatch};
+use crate::simd::dispatch;
 
 use super::super::{Bounded, BuildStages};
 use super::branch::Branch;
 use super::reference::{Centers, Corners, NOWHERE, Reference};
 use super::split::{Scratch, Splitting};
-use super::terms::{PACK_COST, Terms};
+use super::terms::Terms;
 
 /// From this depth on primitives are halved by number: no tree is deeper than this and 32 more.
 const USUAL_DEPTH: u32 = 96;
@@ -28,13 +28,7 @@ const PARALLEL: usize = 1 << 13;
 
 /// Builds a tree over at least one primitive.
 pub(super) fn build(primitives: &impl Bounded, terms: Terms, stages: &mut BuildStages) -> Bvh2 {
-    let mut references = Vec::with_capacity(primitives.count() as usize);
-    ask_for_huge_pages(references.spare_capacity_mut());
-    stages.time("boxes", || {
-        let each = (0..primitives.count()).into_par_iter();
-        each.map(|index| Reference::new(index, &primitives.bounds(index)))
-            .collect_into_vec(&mut references);
-    });
+    let mut references = stages.time("boxes", || Reference::all(primitives));
     stages.time("tree", || tree(&mut references, terms))
 }
 
@@ -126,8 +120,7 @@ impl<'a> Part<'a> {
         }
         if depth < USUAL_DEPTH {
             let (best, centers) = dispatch(Splitting { references, centers, terms, scratch });
-            let as_leaf = self.bounds.half_area() * (PACK_COST + count as f32);
-            if count <= most && as_leaf <= best.cost {
+            if count <= most && terms.cost(self.bounds.half_area(), count) <= best.cost {
                 return None;
             }
             if best.count > 0 {

@@ -9,7 +9,6 @@
 use glam::Vec4;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
-use rayon::prelude::*;
 
 use super::super::{Bounded, BuildStages};
 use super::bins::widest_axis;
@@ -18,10 +17,7 @@ use super::top_down::{self, Division};
 
 /// Builds a tree over at least one primitive.
 pub(super) fn build(primitives: &impl Bounded, stages: &mut BuildStages) -> Bvh2 {
-    let mut references: Vec<Reference> = stages.time("boxes", || {
-        let each = (0..primitives.count()).into_par_iter();
-        each.map(|index| Reference::new(index, &primitives.bounds(index))).collect()
-    });
+    let mut references = stages.time("boxes", || Reference::all(primitives));
     stages.time("tree", || top_down::build(&Median, &mut references))
 }
 

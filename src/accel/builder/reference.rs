@@ -1,8 +1,11 @@
 //! What a tree is built from: boxes that carry the index of their primitive.
 
 use glam::{Vec3A, Vec4};
+use rayon::prelude::*;
 
+use super::super::Bounded;
 use crate::math::Aabb;
+use crate::simd::ask_for_huge_pages;
 
 /// A box as a row of eight: the low corner with its signs changed, and the high corner. So the box
 /// around two boxes is one maximum. The fourth lane of either corner holds something else.
@@ -60,6 +63,17 @@ pub(super) const NOWHERE: Centers = [Vec4::INFINITY, Vec4::NEG_INFINITY];
 pub(super) struct Reference(pub(super) Corners);
 
 impl Reference {
+    /// Those of all primitives, by their indices.
+    pub(super) fn all(primitives: &impl Bounded) -> Vec<Self> {
+        let mut references = Vec::with_capacity(primitives.count() as usize);
+        ask_for_huge_pages(references.spare_capacity_mut());
+        (0..primitives.count())
+            .into_par_iter()
+            .map(|index| Self::new(index, &primitives.bounds(index)))
+            .collect_into_vec(&mut references);
+        references
+    }
+
     #[inline]
     pub(super) fn new(index: u32, bounds: &Aabb) -> Self {
         let [low, high] = [(-bounds.min).to_array(), bounds.max.to_array()];

@@ -117,7 +117,7 @@ fn part<S: Simd, const MEASURED: bool>(
 #[cfg(test)]
 mod tests {
     use super::super::super::Quality;
-    use super::super::terms::PACK_COST;
+    use super::super::terms::cost_of;
     use super::*;
     use crate::math::{Aabb, Random};
     use crate::simd::dispatch;
@@ -171,15 +171,14 @@ mod tests {
         for count in 2..=FEW {
             for pack_bits in [0, 3] {
                 let mut few = references(count as u32);
-                let packs =
-                    |count: usize| PACK_COST * count.div_ceil(1 << pack_bits) as f32 + count as f32;
                 let mut least = f32::INFINITY;
                 for axis in 0..3 {
                     few.sort_by(|a, b| a.center()[axis].total_cmp(&b.center()[axis]));
                     for place in 1..count {
                         let (left, right) = few.split_at(place);
-                        let cost =
-                            |part: &[Reference]| around(part).half_area() * packs(part.len());
+                        let cost = |part: &[Reference]| {
+                            around(part).half_area() * cost_of(part.len(), pack_bits)
+                        };
                         least = least.min(cost(left) + cost(right));
                     }
                 }
