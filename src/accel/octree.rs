@@ -23,7 +23,7 @@ use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, Ray};
 
 use super::build::boxes_of;
-use super::cells::{CellLists, ListBuilder, MOST_REFERENCES, Mailbox, PlaneRay};
+use super::cells::{CellLists, ListBuilder, MOST_REFERENCES, Mailbox, PlaneRay, references_option};
 use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape, Tree};
 
 /// The most steps from the root to a leaf.
@@ -59,12 +59,7 @@ struct Node {
 /// The root is part of nothing.
 const LEAF: u32 = 0;
 
-const REFERENCES: OptionInfo = OptionInfo {
-    name: "references",
-    allowed: Allowed::Numbers(1, 32),
-    default: "8",
-    summary: "the most references a triangle, in the mean",
-};
+const REFERENCES: OptionInfo = references_option("8");
 
 const SIZE: OptionInfo = OptionInfo {
     name: "leaf",

@@ -71,9 +71,7 @@ fn rendered(
             "the part is too large: {shortage}; take more parts, or divide by tiles"
         ))
     })?;
-    let built = work.structure.try_build(&loaded.scene, &work.build);
-    let name = work.structure.name;
-    let world = built.map_err(|error| Failure::new(format_args!("`{name}`: {error}")))?;
+    let world = work.build(&loaded.scene)?;
     let renderer = Renderer::new(&loaded.scene, &*world, settings);
     let pixels = pieces.iter().map(|piece| piece.area.pixels()).sum();
     let progress = Progress::start(pixels, work.quiet, interrupt.clone());

@@ -75,9 +75,7 @@ fn trace(
     begun: Option<&Begun>,
     interrupt: &Interrupt,
 ) -> Result<(BuildReport, Outcome), Failure> {
-    let name = options.work.structure.name;
-    let built = options.work.structure.try_build(scene, &options.work.build);
-    let world = built.map_err(|error| Failure::new(format_args!("`{name}`: {error}")))?;
+    let world = options.work.build(scene)?;
     let quiet = options.work.quiet;
     if let (Some(refinement), Some(begun)) = (&options.refinement, begun) {
         let renderer = Renderer::new(scene, &*world, settings);

@@ -15,7 +15,7 @@ use super::work_args::WorkArguments;
 use crate::accel::{BuildConfig, Quality};
 use crate::film::Crop;
 use crate::render::{Sampling, Settings, View};
-use crate::scene::{Scene, Structure};
+use crate::scene::{Scene, Structure, TracedWorld};
 
 /// A scene, how it is rendered, and by what; what is absent is taken from the scene.
 #[derive(Debug)]
@@ -114,6 +114,14 @@ impl Work {
         check_region(settings.width, settings.height, settings.crop)?;
         check_samples(&settings)?;
         Ok(settings)
+    }
+
+    /// Builds the structure, on the threads of the current pool.
+    pub(crate) fn build(&self, scene: &Scene) -> Result<Box<dyn TracedWorld>, Failure> {
+        let name = self.structure.name;
+        self.structure
+            .try_build(scene, &self.build)
+            .map_err(|error| Failure::new(format_args!("`{name}`: {error}")))
     }
 
     /// What would differ from machine to machine cannot be put together or gone on with: `option` says what asks.

@@ -94,15 +94,13 @@ fn compiled_instruction_set() -> String {
 
 /// The processor's name, and its family and model: virtual machines leave out of the name which one it is.
 fn processor() -> Option<String> {
-    let field = |word| {
-        value("/proc/cpuinfo", word)
-            .map(|text| text.trim_start_matches([':', ' ', '\t']).to_owned())
-    };
+    let text = text("/proc/cpuinfo")?;
+    let field = |word| value_in(&text, word).map(|text| text.trim_start_matches([':', ' ', '\t']));
     let name = field("model name")?;
     let model = field("cpu family").zip(field("model\t"));
     Some(match model {
         Some((family, model)) => format!("{name} (family {family}, model {model})"),
-        None => name,
+        None => name.to_owned(),
     })
 }
 
@@ -128,11 +126,14 @@ fn text(path: &str) -> Option<String> {
     (!text.is_empty()).then(|| text.to_owned())
 }
 
-/// What follows a word at the beginning of a line.
+/// What follows a word at the beginning of a line of a file.
 fn value(path: &str, word: &str) -> Option<String> {
-    let text = fs::read_to_string(path).ok()?;
-    let rest = text.lines().find_map(|line| line.strip_prefix(word))?;
-    Some(rest.trim().to_owned())
+    value_in(&text(path)?, word).map(str::to_owned)
+}
+
+/// What follows a word at the beginning of a line.
+fn value_in<'a>(text: &'a str, word: &str) -> Option<&'a str> {
+    text.lines().find_map(|line| line.strip_prefix(word)).map(str::trim)
 }
 
 /// A line such as `MemTotal:  24000000 kB`, in bytes.

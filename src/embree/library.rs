@@ -198,6 +198,8 @@ impl Library {
         unsafe { self.call_packet(self.occluded16, valid, scene, arguments, rays) };
     }
 
+    /// # Safety
+    /// As for [`intersect`](Self::intersect); the rays are those of the query.
     #[inline(always)]
     unsafe fn call(&self, query: Single, scene: RTCScene, own: &mut Arguments, rays: *mut c_void) {
         // SAFETY: by the caller; arguments and rays are in the order of the version.
@@ -209,6 +211,8 @@ impl Library {
         }
     }
 
+    /// # Safety
+    /// As for [`call`](Self::call).
     #[inline(always)]
     unsafe fn call_packet(
         &self,

@@ -30,7 +30,7 @@ use crate::math::{Aabb, BoxRay, Ray};
 
 use self::cut::{Cut, Limits};
 use super::build::boxes_of;
-use super::cells::{CellLists, ListBuilder, Mailbox, PlaneRay};
+use super::cells::{CellLists, ListBuilder, Mailbox, PlaneRay, references_option};
 use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape, Tree};
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
@@ -62,12 +62,7 @@ const LEAF: u32 = 3;
 /// What the words of nodes can hold.
 const MOST_NODES: usize = 1 << 30;
 
-const REFERENCES: OptionInfo = OptionInfo {
-    name: "references",
-    allowed: Allowed::Numbers(1, 32),
-    default: "4",
-    summary: "the most references a triangle, in the mean",
-};
+const REFERENCES: OptionInfo = references_option("4");
 
 const BONUS: OptionInfo = OptionInfo {
     name: "bonus",
