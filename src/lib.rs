@@ -99,6 +99,8 @@ pub mod report;
 pub mod scene;
 #[cfg(feature = "program")]
 pub mod scene_file;
+#[cfg(feature = "program")]
+mod sealed;
 
 #[cfg(any(doc, doctest))]
 #[doc = include_str!("../docs/library.md")]

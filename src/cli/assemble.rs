@@ -9,10 +9,10 @@ use super::picture::PictureTarget;
 use super::terminal::print_message;
 use super::work::same_file;
 use crate::assets::read_file;
-use crate::compare::hexadecimal;
 use crate::film::{Division, Film, Share};
 use crate::part_file::{Kind, Origin, PartFile};
 use crate::render::Image;
+use crate::sealed::hexadecimal;
 
 /// So many parts are named at most.
 const MOST_NAMED: usize = 20;

@@ -7,8 +7,8 @@ use std::path::Path;
 use sha2::{Digest, Sha256};
 
 use crate::assets::generate::Recipe;
-use crate::compare::hexadecimal;
 use crate::description::SceneDescription;
+use crate::sealed::hexadecimal;
 
 /// SHA-256 of a scene's file and of all mesh files that it names, in its order; hexadecimal.
 pub(super) fn of_scene(path: &Path, description: &SceneDescription) -> io::Result<String> {

@@ -15,11 +15,11 @@ use super::summary::ray_rate;
 use super::terminal::print_message;
 use super::work::Work;
 use crate::assets::expect_memory;
-use crate::compare::hexadecimal;
 use crate::film::{Division, Part, Piece, Share};
 use crate::part_file::{Kind, PartFile};
 use crate::render::{Kept, Renderer, Settings};
 use crate::report::numbers;
+use crate::sealed::hexadecimal;
 
 /// Renders a part and writes it.
 pub(super) fn run(arguments: PartArguments, interrupt: &Interrupt) -> CommandResult {

@@ -7,8 +7,9 @@ use std::sync::{Mutex, PoisonError};
 use super::exit::Failure;
 use super::output::{Output, make_folder};
 use crate::assets::read_file;
-use crate::compare::{SceneInput, hexadecimal, wrong_answers};
+use crate::compare::{SceneInput, wrong_answers};
 use crate::ray_file::{EXTENSION, RayFile};
+use crate::sealed::hexadecimal;
 
 /// Reads a file of rays.
 pub(super) fn read(path: &Path) -> Result<RayFile, Failure> {

@@ -10,11 +10,12 @@ use super::ray_files::read;
 use super::rays_args::{ExportArguments, Format, ImportArguments, RaysArguments, RaysCommand};
 use super::terminal::print_message;
 use crate::assets::read_file;
-use crate::compare::{answered_rays, hexadecimal};
+use crate::compare::answered_rays;
 use crate::math::Ray;
 use crate::ray_file::{ClassRays, RayFile, rodent, tinybvh};
 use crate::report::terminal_table;
 use crate::report::{Cell, Table, numbers};
+use crate::sealed::hexadecimal;
 
 /// Does what was typed.
 pub(super) fn run(arguments: &RaysArguments) -> CommandResult {

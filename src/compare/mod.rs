@@ -104,4 +104,3 @@ pub(crate) use picture_file::{heatmap_name, picture_name};
 pub use plan::{PictureOptions, Plan, SceneInput, SweepPlan};
 pub use ray_exchange::{WrongAnswers, answered_rays, wrong_answers};
 pub use run::{CompareError, ComparisonResult, run};
-pub(crate) use sources::hexadecimal;

@@ -5,7 +5,7 @@ use sha2::{Digest, Sha256};
 use crate::image_io::Picture;
 use crate::record::PictureFile;
 
-use super::sources::hexadecimal;
+use crate::sealed::hexadecimal;
 
 /// The file of a scene's picture.
 pub(crate) fn picture_name(scene: &str) -> String {

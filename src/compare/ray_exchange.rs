@@ -13,8 +13,8 @@ use crate::scene::{BuildError, Scene};
 
 use super::proof::describe;
 use super::record_rays::{RECORDING_STRUCTURE, RaySet};
-use super::sources::hexadecimal;
 use super::trace::trace;
+use crate::sealed::hexadecimal;
 
 /// Rays for a scene as a file, with their answers. Each class is there once at most, or nobody reads the file.
 ///

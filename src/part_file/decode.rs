@@ -1,15 +1,14 @@
 //! Bytes → parts. Bytes may come from anywhere: nothing is taken for granted, and no more memory is used than a small
 //! multiple of their number.
 
-use sha2::{Digest, Sha256};
-
-use super::header::{self, u32_at};
+use super::header;
 use super::{
     COLOR, ENTRY, HEADER, Hash, MAGIC, MOMENTS, PartFile, PartFileError, SAMPLES, SUMS,
     SUMS_AND_MOMENTS, VERSION,
 };
 use crate::film::{Crop, FilmError, Moments, Part, Piece, Values, tile_at};
 use crate::math::Color;
+use crate::sealed::{self, u32_at, u64_at};
 
 impl PartFile {
     /// Reads the bytes of a file. Each part is of a tile of the picture, with samples that it has; whether parts
@@ -41,7 +40,8 @@ impl PartFile {
         if expected != found {
             return Err(PartFileError::Length { expected, found });
         }
-        check_hash(bytes)?;
+        sealed::check(bytes)
+            .map_err(|sealed::Altered { found, stated }| PartFileError::Hash { found, stated })?;
         let (origin, kind) = header::read(header)?;
         let (region, samples) = (origin.settings.region(), origin.settings.film_samples());
         let mut parts = Vec::with_capacity(table.len() / ENTRY);
@@ -125,22 +125,13 @@ fn colors(bytes: &[u8]) -> Vec<Color> {
 }
 
 fn f64_at(bytes: &[u8], at: usize) -> f64 {
-    bytes[at..].first_chunk().copied().map_or(0.0, f64::from_le_bytes)
-}
-
-fn check_hash(bytes: &[u8]) -> Result<(), PartFileError> {
-    let (contents, stated) = bytes.split_at(bytes.len() - size_of::<Hash>());
-    let found: Hash = Sha256::digest(contents).into();
-    if stated == found {
-        return Ok(());
-    }
-    let hexadecimal =
-        |bytes: &[u8]| bytes.iter().map(|byte| format!("{byte:02x}")).collect::<String>();
-    Err(PartFileError::Hash { found: hexadecimal(&found), stated: hexadecimal(stated) })
+    f64::from_bits(u64_at(bytes, at))
 }
 
 #[cfg(test)]
 mod tests {
+    use sha2::{Digest, Sha256};
+
     use super::*;
     use crate::film::{Division, Share};
     use crate::part_file::{Kind, Origin};

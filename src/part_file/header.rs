@@ -4,6 +4,7 @@ use super::{HEADER, Hash, Kind, MAGIC, Origin, PartFileError, VERSION};
 use crate::description::{Camera, Options};
 use crate::film::{Crop, Division, Share};
 use crate::render::{Sampling, Settings, View};
+use crate::sealed::{u32_at, u64_at};
 
 /// Where fields are.
 const ORIGIN: usize = 16;
@@ -114,7 +115,7 @@ pub(super) fn read(header: &[u8; HEADER]) -> Result<(Origin, Kind), PartFileErro
         light_samples,
         sampling,
         max_recursion,
-        seed: u64::from(number(SEED)) | u64::from(number(SEED + 4)) << 32,
+        seed: u64_at(header, SEED),
         view,
         count: false,
     };
@@ -149,9 +150,4 @@ fn name(bytes: &[u8]) -> Option<String> {
     let (name, zeros) = bytes.split_at(end);
     let is_name = name.iter().all(u8::is_ascii_graphic) && zeros.iter().all(|&byte| byte == 0);
     is_name.then(|| name.iter().copied().map(char::from).collect())
-}
-
-/// A number at a place of a header or an entry that is within it.
-pub(super) fn u32_at(bytes: &[u8], at: usize) -> u32 {
-    bytes[at..].first_chunk().copied().map_or(0, u32::from_le_bytes)
 }

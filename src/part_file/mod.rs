@@ -35,11 +35,9 @@ mod origin;
 
 use crate::film::{Division, Part, Share};
 
+pub use crate::sealed::Hash;
 pub use error::PartFileError;
 pub use origin::{Difference, Origin};
-
-/// A SHA-256.
-pub type Hash = [u8; 32];
 
 /// How the name of a part's file ends.
 pub const EXTENSION: &str = "srtp";

@@ -6,6 +6,7 @@ use sha2::{Digest, Sha256};
 
 use super::{Hash, header};
 use crate::render::Settings;
+use crate::sealed::hexadecimal;
 
 /// What a picture depends on. Structures, threads and instruction sets are not among it: they do not change a bit.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,7 +78,7 @@ fn size(settings: &Settings) -> String {
 
 /// The first digits of a hash, enough to tell two apart.
 fn hex(hash: &Hash) -> String {
-    hash[..8].iter().fold(String::new(), |text, byte| format!("{text}{byte:02x}")) + "…"
+    hexadecimal(&hash[..8]) + "…"
 }
 
 #[cfg(test)]

@@ -1,9 +1,6 @@
 //! Bytes → rays. Bytes may come from anywhere: nothing is taken for granted, and no more memory is used than a small
 //! multiple of their number.
 
-use sha2::{Digest, Sha256};
-
-use super::encode::hash_of;
 use super::error::RayFileError;
 use super::{
     ANY, CLOSEST, ClassRays, ENTRY, HEADER, Hash, MAGIC, RAY, RAYS_PER_CALL, RayAnswers, RayFile,
@@ -11,6 +8,7 @@ use super::{
 };
 use crate::math::{Hit, Ray};
 use crate::record::RayClass;
+use crate::sealed::{self, u32_at, u64_at};
 use glam::Vec3;
 
 impl RayFile {
@@ -44,7 +42,8 @@ impl RayFile {
         if expected != found {
             return Err(RayFileError::Length { expected, found });
         }
-        check_hash(bytes)?;
+        sealed::check(bytes)
+            .map_err(|sealed::Altered { found, stated }| RayFileError::Hash { found, stated })?;
         // Nothing is passed over: equal rays have equal bytes, and so one hash.
         for (at, expected) in [(48, RAYS_PER_CALL), (52, 0)] {
             let found = u32_at(header, at);
@@ -66,14 +65,6 @@ impl RayFile {
     }
 }
 
-fn u32_at(bytes: &[u8], at: usize) -> u32 {
-    bytes[at..].first_chunk().copied().map_or(0, u32::from_le_bytes)
-}
-
-fn u64_at(bytes: &[u8], at: usize) -> u64 {
-    bytes[at..].first_chunk().copied().map_or(0, u64::from_le_bytes)
-}
-
 /// The numbers of a ray or a hit.
 fn words(bytes: &[u8]) -> impl Iterator<Item = u32> {
     bytes.chunks_exact(4).map(|word| u32_at(word, 0))
@@ -84,17 +75,6 @@ fn words(bytes: &[u8]) -> impl Iterator<Item = u32> {
 fn bytes_of_class(entry: &[u8]) -> u64 {
     let answer = if entry[1] == 0 { CLOSEST } else { ANY };
     u64_at(entry, 8).saturating_mul((RAY + answer) as u64)
-}
-
-fn check_hash(bytes: &[u8]) -> Result<(), RayFileError> {
-    let (contents, stated) = bytes.split_at(bytes.len() - size_of::<Hash>());
-    let found: Hash = Sha256::digest(contents).into();
-    if hash_of(bytes) == Some(found) {
-        return Ok(());
-    }
-    let hexadecimal =
-        |bytes: &[u8]| bytes.iter().map(|byte| format!("{byte:02x}")).collect::<String>();
-    Err(RayFileError::Hash { found: hexadecimal(&found), stated: hexadecimal(stated) })
 }
 
 /// Reads a class, and takes its bytes from `rest`, which has them.

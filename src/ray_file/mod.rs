@@ -33,10 +33,8 @@ pub mod tinybvh;
 use crate::math::{Hit, Ray};
 use crate::record::RayClass;
 
+pub use crate::sealed::Hash;
 pub use error::RayFileError;
-
-/// A SHA-256.
-pub type Hash = [u8; 32];
 
 /// How the name of a file ends.
 pub const EXTENSION: &str = "srtrays";
