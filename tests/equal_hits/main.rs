@@ -14,6 +14,8 @@ use srt::accel::{
     Accel, Allowed, Answers, BuildConfig, BuildOptions, Bvh8, Exhaustive, Indexed, OptionInfo,
     Quality, Scratch, Tracer,
 };
+use srt::assets::MeshData;
+use srt::assets::generate::{MeshKind, generate};
 use srt::conformance::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
 use srt::conformance::axis_grids::grids_over;
 use srt::conformance::nasty_meshes::{self, Mesh};
@@ -247,41 +249,21 @@ fn a_tree_too_deep_for_the_stacks_of_the_kernels() {
     }
 }
 
-/// Hills of `2·side²` triangles over the unit square.
-fn hills(side: u32) -> Mesh {
-    let mut random = Random::new(&[41, u64::from(side)]);
-    let place = |i: u32| i as f32 / side as f32;
-    let mut mesh = nasty_meshes::empty("hills");
-    for y in 0..=side {
-        for x in 0..=side {
-            let height = 0.1 * (9.0 * place(x)).sin() * (7.0 * place(y)).cos();
-            mesh.positions.push(Vec3::new(place(x), place(y), height + 1e-3 * random.next_f32()));
-        }
-    }
-    for y in 0..side {
-        for x in 0..side {
-            let [a, b] = [y * (side + 1) + x, (y + 1) * (side + 1) + x];
-            mesh.triangles.extend([[a, a + 1, b], [b, a + 1, b + 1]]);
-        }
-    }
-    mesh
-}
-
 /// Beyond the caches of a core waves have more rays, and beyond those of a processor they prefetch.
 #[test]
 fn meshes_larger_than_caches() {
-    for (side, megabytes, count) in [(400, 8, 1_200), (950, 32, 300)] {
-        let mesh = hills(side);
+    for (triangles, megabytes, count) in [(320_000, 8, 1_200), (1_800_000, 32, 300)] {
+        let MeshData { positions, triangles, .. } = generate(MeshKind::Terrain, triangles, 1);
+        let mesh = Mesh { name: "terrain", positions, triangles };
         let (tree, none) = (
             indexed::<Bvh8>(&mesh, Quality::Medium),
             indexed::<Exhaustive>(&mesh, Quality::Medium),
         );
         assert!(tree.shape().bytes + tree.primitives().bytes() > megabytes << 20);
-        let mut random = Random::new(&[43, u64::from(side)]);
-        let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32()));
+        let mut random = Random::new(&[43, megabytes]);
+        let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32() - 0.5));
         let rays: Vec<Ray> = (0..for_this_isa(count))
-            .map(|_| (point() - Vec3::new(0.0, 0.0, 0.5), point() - 0.5))
-            .map(|(origin, dir)| Ray::new(origin, dir))
+            .map(|_| Ray::new(Vec3::new(2.0, 2.0, 1.0) * point(), point()))
             .collect();
         let expected = trace(&none, &rays);
         let hits = expected.0.iter().filter(|hit| hit.is_hit()).count();
