@@ -1,7 +1,7 @@
 //! A record against an older one: what became slower, what faster, at 95 % confidence.
 
 use super::class::ray_times;
-use super::statistics::unpaired_ratio_of_estimates;
+use super::statistics::{BetweenRuns, unpaired_ratio_of_estimates};
 use crate::record::{Baseline, Change, Changes, ClassRecord, Comparison, Run};
 
 /// Compares a new record with an old one. Scenes whose files changed are not compared. A change is a regression above
@@ -13,6 +13,9 @@ pub fn compare(old: &Comparison, new: &Comparison, threshold: f64) -> Baseline {
         warnings: run_warnings(&old.run, &new.run),
         doubts: run_doubts(&old.run, &new.run),
     };
+    // Both runs are of one machine, whichever of them says how its runs differ.
+    let deviation = old.run.between_runs.max(new.run.between_runs);
+    let between_runs = BetweenRuns(deviation).of_two_runs();
     for scene in &new.scenes {
         let Some(old_scene) = old.scenes.iter().find(|old| old.name == scene.name) else {
             changes.doubts.push(format!("The baseline has no scene {}.", scene.name));
@@ -27,7 +30,8 @@ pub fn compare(old: &Comparison, new: &Comparison, threshold: f64) -> Baseline {
             for class in &structure.classes {
                 let old = old_scene.structure(&structure.name);
                 let old = old.and_then(|old| old.class(class.class));
-                add(&mut changes, &scene.name, &structure.name, old, class);
+                let name = (scene.name.as_str(), structure.name.as_str());
+                add(&mut changes, name, old, class, between_runs);
             }
         }
     }
@@ -54,10 +58,10 @@ pub fn improvements(baseline: &Baseline) -> impl Iterator<Item = &Change> {
 
 fn add(
     changes: &mut Changes,
-    scene: &str,
-    structure: &str,
+    (scene, structure): (&str, &str),
     old: Option<&ClassRecord>,
     new: &ClassRecord,
+    between_runs: BetweenRuns,
 ) {
     let what = format!("{} rays of {scene} with {structure}", new.class.name());
     let Some(old) = old else {
@@ -76,7 +80,7 @@ fn add(
             scene: scene.to_owned(),
             structure: structure.to_owned(),
             class: new.class,
-            slowdown,
+            slowdown: between_runs.widen(slowdown),
         });
     }
 }

@@ -2,7 +2,9 @@
 
 use serde::Serialize;
 
-use super::statistics::{Center, Rounds, median, million_per_second, ratio_of_estimates};
+use super::statistics::{
+    BetweenRuns, Center, Rounds, median, million_per_second, ratio_of_estimates,
+};
 use crate::record::{BlockSample, ClassRecord, Estimate, HardwareCounters, RayClass, Round};
 
 /// The figures of a class of rays with a structure.
@@ -65,13 +67,18 @@ impl ClassFigures {
     }
 }
 
-/// The figures of a class; ratios are to the same class of the base.
-pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> ClassFigures {
+/// The figures of a class, for any run; ratios are to the same class of the base.
+pub(super) fn class_figures(
+    own: &ClassRecord,
+    base: Option<&ClassRecord>,
+    between_runs: BetweenRuns,
+) -> ClassFigures {
     let counted_rays = if own.counted_rays > 0 { own.counted_rays } else { own.rays };
     let per_counted = |n: u64| quotient(n as f64, counted_rays as f64);
     let per_ray = |n: u64| quotient(n as f64, own.rays as f64);
     let times = ray_times(own);
-    let ns_per_ray = times.estimate();
+    let for_any_run = |estimate| between_runs.widen(estimate);
+    let ns_per_ray = times.estimate().map(for_any_run);
     ClassFigures {
         class: own.class,
         rays: own.rays,
@@ -80,7 +87,7 @@ pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> Cl
         boxes_per_ray: own.boxes.and_then(per_counted),
         primitives_per_ray: own.primitives.and_then(per_counted),
         ns_per_ray,
-        cpu_ns_per_ray: cpu_ns_per_ray(own),
+        cpu_ns_per_ray: cpu_ns_per_ray(own).map(for_any_run),
         disturbance: disturbance(&own.rounds),
         instructions_per_cycle: counted(own, |counts| {
             quotient(counts.instructions? as f64, counts.cycles? as f64)
@@ -88,7 +95,11 @@ pub(super) fn class_figures(own: &ClassRecord, base: Option<&ClassRecord>) -> Cl
         branch_misses_per_ray: counted(own, |counts| per_ray(counts.branch_misses?)),
         cache_misses_per_ray: counted(own, |counts| per_ray(counts.cache_misses?)),
         million_rays_per_second: ns_per_ray.and_then(rate),
-        speedup: base.and_then(|base| ratio_of_estimates(&ray_times(base), &times)),
+        speedup: base.and_then(|base| {
+            let ratio = ratio_of_estimates(&ray_times(base), &times)?;
+            // The base's ratio to itself is 1 in every run.
+            Some(if std::ptr::eq(base, own) { ratio } else { for_any_run(ratio) })
+        }),
     }
 }
 
@@ -165,6 +176,8 @@ pub(super) fn quotient(a: f64, b: f64) -> Option<f64> {
 mod tests {
     use super::*;
 
+    const NONE: BetweenRuns = BetweenRuns(0.0);
+
     fn class(rays: u64, wall_ns: &[u64]) -> ClassRecord {
         ClassRecord {
             class: RayClass::View,
@@ -191,12 +204,12 @@ mod tests {
             class
         };
         let (base, own) = (busy(10_000, 9_900), busy(60_000, 9_900));
-        let figures = class_figures(&own, Some(&base));
+        let figures = class_figures(&own, Some(&base), NONE);
         assert_eq!(figures.speedup.unwrap().value, 1.0, "equal work took equal time");
         assert_eq!(figures.ns_per_ray.unwrap().value, 99.0);
-        assert!(figures.is_disturbed() && !class_figures(&base, None).is_disturbed());
+        assert!(figures.is_disturbed() && !class_figures(&base, None, NONE).is_disturbed());
         // Two threads together have more processor time than the wall time of the round.
-        let parallel = class_figures(&busy(10_000, 19_000), None);
+        let parallel = class_figures(&busy(10_000, 19_000), None, NONE);
         assert_eq!(parallel.ns_per_ray.unwrap().value, 100.0);
         assert_eq!(parallel.disturbance, Some(1.0));
     }
@@ -207,11 +220,11 @@ mod tests {
         base.sample = Some(BlockSample { blocks: 10, rays_per_block: 10, of_rays: 1_000 });
         base.counted_rays = 50;
         let own = class(1_000, &[100_000; 6]);
-        let figures = class_figures(&own, Some(&base));
+        let figures = class_figures(&own, Some(&base), NONE);
         let speedup = figures.speedup.unwrap();
         assert!((speedup.value - 3.0).abs() < 1e-12, "{speedup:?}");
         assert!(speedup.supports_a_statement(), "{speedup:?}");
-        let base = class_figures(&base, None);
+        let base = class_figures(&base, None, NONE);
         assert!(base.is_sampled() && !figures.is_sampled());
         assert_eq!((base.rays, base.recorded_rays), (100, 1_000));
         assert_eq!(base.boxes_per_ray, Some(6.0), "300 of 50 counted rays");
@@ -222,7 +235,7 @@ mod tests {
     fn figures_are_per_ray() {
         let base = class(100, &[40_000; 6]);
         let own = class(1_000, &[100_000; 6]);
-        let figures = class_figures(&own, Some(&base));
+        let figures = class_figures(&own, Some(&base), NONE);
         assert_eq!(figures.ns_per_ray.unwrap().value, 100.0);
         assert_eq!(figures.million_rays_per_second.unwrap().value, 10.0);
         assert_eq!(figures.speedup.unwrap().value, 4.0);
@@ -241,29 +254,29 @@ mod tests {
                 cache_misses: None,
             });
         }
-        let figures = class_figures(&class, None);
+        let figures = class_figures(&class, None, NONE);
         let ipc = figures.instructions_per_cycle.unwrap();
         assert_eq!((ipc.value, ipc.rounds), (2.5, 6));
         assert_eq!(figures.branch_misses_per_ray.unwrap().value, 1.5);
         assert_eq!(figures.cache_misses_per_ray, None, "not counted");
         class.rounds[3].hardware = None;
-        let figures = class_figures(&class, None);
+        let figures = class_figures(&class, None, NONE);
         assert_eq!(figures.instructions_per_cycle, None, "not counted in every round");
         class.rounds =
             vec![Round { hardware: Some(HardwareCounters::default()), wall_ns: 1, cpu_ns: None }];
-        assert_eq!(class_figures(&class, None).branch_misses_per_ray, None);
+        assert_eq!(class_figures(&class, None, NONE).branch_misses_per_ray, None);
         class.rounds[0].hardware = Some(HardwareCounters {
             cycles: Some(0),
             instructions: Some(0),
             ..HardwareCounters::default()
         });
-        assert_eq!(class_figures(&class, None).instructions_per_cycle, None, "never ran");
+        assert_eq!(class_figures(&class, None, NONE).instructions_per_cycle, None, "never ran");
     }
 
     #[test]
     fn no_rays_and_no_rounds_have_no_figures() {
         for nothing in [class(0, &[5; 6]), class(10, &[])] {
-            let figures = class_figures(&nothing, Some(&nothing));
+            let figures = class_figures(&nothing, Some(&nothing), NONE);
             assert_eq!((figures.ns_per_ray, figures.speedup), (None, None));
             assert_eq!(figures.million_rays_per_second, None);
         }

@@ -3,11 +3,8 @@
 use serde::Serialize;
 
 use super::class::ray_times;
-use super::statistics::ratio_of_estimates;
+use super::statistics::{BetweenRuns, NORMAL, ratio_of_estimates};
 use crate::record::{ClassRecord, Estimate, Interval, RayClass, SceneRecord, StructureRecord};
-
-/// Half the width of a normal distribution's 95 % interval, in standard deviations.
-const NORMAL: f64 = 1.959_963_984_540_054;
 
 /// How many times as fast as another a structure traces a class of rays.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -46,14 +43,18 @@ impl Finding {
 
 /// The best supported finding: of pairs of trees, if there are any, that which was seen in the most scenes, then that
 /// which is the most certain. Peers are left out.
-pub(super) fn best_finding(scenes: &[SceneRecord]) -> Option<Finding> {
+pub(super) fn best_finding(scenes: &[SceneRecord], between_runs: BetweenRuns) -> Option<Finding> {
     // One box around everything is no tree: it has a depth, but not a tree's cost.
     let has_cost = |row: &StructureRecord| row.shape.as_ref()?.sah_cost;
     let is_tree = |row: &StructureRecord| has_cost(row).is_some();
-    best_of(scenes, &is_tree).or_else(|| best_of(scenes, &|_| true))
+    best_of(scenes, &is_tree, between_runs).or_else(|| best_of(scenes, &|_| true, between_runs))
 }
 
-fn best_of(scenes: &[SceneRecord], fits: &dyn Fn(&StructureRecord) -> bool) -> Option<Finding> {
+fn best_of(
+    scenes: &[SceneRecord],
+    fits: &dyn Fn(&StructureRecord) -> bool,
+    between_runs: BetweenRuns,
+) -> Option<Finding> {
     let mut names: Vec<&str> = Vec::new();
     for row in scenes.iter().flat_map(|scene| &scene.structures) {
         if !row.peer && fits(row) && !names.contains(&row.name.as_str()) {
@@ -63,7 +64,7 @@ fn best_of(scenes: &[SceneRecord], fits: &dyn Fn(&StructureRecord) -> bool) -> O
     let pairs = names.iter().enumerate().flat_map(|(i, a)| names[i + 1..].iter().map(|b| (*a, *b)));
     let findings: Vec<Finding> = pairs
         .flat_map(|pair| RayClass::ALL.map(|class| (pair, class)))
-        .filter_map(|((a, b), class)| finding(scenes, a, b, class))
+        .filter_map(|((a, b), class)| finding(scenes, a, b, class, between_runs))
         .collect();
     // The first of equals: classes are in the order of reports.
     findings.into_iter().reduce(|best, own| {
@@ -74,15 +75,23 @@ fn best_of(scenes: &[SceneRecord], fits: &dyn Fn(&StructureRecord) -> bool) -> O
 }
 
 /// One structure against another with a class of rays; `None` if no scene supports a statement.
-fn finding(scenes: &[SceneRecord], a: &str, b: &str, class: RayClass) -> Option<Finding> {
+fn finding(
+    scenes: &[SceneRecord],
+    a: &str,
+    b: &str,
+    class: RayClass,
+    between_runs: BetweenRuns,
+) -> Option<Finding> {
     let of_scene = |scene: &SceneRecord| {
         let (a, b) = (traced(scene, a, class)?, traced(scene, b, class)?);
         let ratio = ratio_of_estimates(&ray_times(b), &ray_times(a))?;
         let rays = a.recorded_rays();
-        ratio.supports_a_statement().then(|| (scene.name.clone(), ratio, rays))
+        between_runs.widen(ratio).supports_a_statement().then(|| (scene.name.clone(), ratio, rays))
     };
     let seen: Vec<(String, Estimate, u64)> = scenes.iter().filter_map(of_scene).collect();
+    // What differs between runs is alike for all scenes of a run: more scenes do not average it away.
     let mean = mean_ratio(&seen.iter().map(|scene| scene.1).collect::<Vec<_>>())?;
+    let mean = between_runs.widen(mean);
     let swapped = mean.value < 1.0;
     let (faster, slower) = if swapped { (b, a) } else { (a, b) };
     let upright = |value: f64| if swapped { 1.0 / value } else { value };
@@ -170,7 +179,7 @@ mod tests {
                 &[("ball", None, &[7_000; 6]), ("bvh", Some(9.0), &SIX), ("wide", Some(5.0), &SIX)],
             ),
         ];
-        let finding = best_finding(&scenes).unwrap();
+        let finding = best_finding(&scenes, BetweenRuns(0.0)).unwrap();
         assert_eq!((finding.faster.as_str(), finding.slower.as_str()), ("wide", "bvh"));
         assert!((finding.ratio.value - 2.0).abs() < 1e-12, "{finding:?}");
         assert_eq!((finding.lowest, finding.highest), (1.0, 4.0));
@@ -180,9 +189,11 @@ mod tests {
 
     #[test]
     fn without_two_trees_the_others_are_compared() {
-        let finding =
-            best_finding(&[scene("a", &[("none", None, &[900; 6]), ("bvh", Some(9.0), &SIX)])])
-                .unwrap();
+        let finding = best_finding(
+            &[scene("a", &[("none", None, &[900; 6]), ("bvh", Some(9.0), &SIX)])],
+            BetweenRuns(0.0),
+        )
+        .unwrap();
         assert_eq!((finding.faster.as_str(), finding.slower.as_str()), ("bvh", "none"));
         assert_eq!(finding.ratio.value, 9.0);
     }
@@ -192,6 +203,17 @@ mod tests {
         let few = scene("a", &[("none", None, &[900; 5]), ("bvh", Some(9.0), &[100; 5])]);
         let wide =
             scene("b", &[("none", None, &SIX), ("bvh", Some(9.0), &[10, 900, 20, 800, 30, 700])]);
-        assert_eq!(best_finding(&[few, wide]), None);
+        assert_eq!(best_finding(&[few, wide], BetweenRuns(0.0)), None);
+    }
+
+    #[test]
+    fn what_differs_between_runs_is_not_averaged_away_over_scenes() {
+        let close = [97; 6];
+        let scenes: Vec<SceneRecord> = ["a", "b", "c", "d"]
+            .map(|name| scene(name, &[("bvh", Some(9.0), &SIX), ("wide", Some(5.0), &close)]))
+            .into();
+        let certain =
+            |deviation| best_finding(&scenes, BetweenRuns(deviation)).unwrap().is_certain();
+        assert!(certain(0.0) && certain(0.01) && !certain(0.03));
     }
 }

@@ -19,6 +19,8 @@ use serde::Serialize;
 
 use crate::record::Comparison;
 
+use statistics::BetweenRuns;
+
 pub use class::ClassFigures;
 pub use finding::Finding;
 pub use noise::{NoiseFigures, Pairing};
@@ -51,16 +53,21 @@ impl Analysis {
     /// Computes all figures of a record.
     #[must_use]
     pub fn of(comparison: &Comparison) -> Self {
-        let scene = |scene| SceneFigures::of(scene, &comparison.base);
+        let between_runs = BetweenRuns(comparison.run.between_runs);
+        let scene = |scene| SceneFigures::of(scene, &comparison.base, between_runs);
         let chapter = comparison.sampling.as_ref();
         let operations = chapter.iter().flat_map(|chapter| &chapter.costs);
         let operations: Vec<_> = operations.map(OperationFigures::of).collect();
         let scenes: Vec<SceneFigures> = comparison.scenes.iter().map(scene).collect();
         Self {
-            finding: finding::best_finding(&comparison.scenes),
+            finding: finding::best_finding(&comparison.scenes, between_runs),
             overall: overall::overall(&scenes, &comparison.base),
             scenes,
-            sweeps: comparison.sweeps.iter().map(SweepFigures::of).collect(),
+            sweeps: comparison
+                .sweeps
+                .iter()
+                .map(|sweep| SweepFigures::of(sweep, between_runs))
+                .collect(),
             shares: chapter.map(|c| share::shares(c, &operations)).unwrap_or_default(),
             noise: chapter.map(|c| noise::noise(&c.noise)).unwrap_or_default(),
             operations,

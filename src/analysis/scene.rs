@@ -3,7 +3,9 @@
 use serde::Serialize;
 
 use super::class::{ClassFigures, class_figures, quotient};
-use super::statistics::{BreakEven, Cost, break_even, estimate, paired_ratio, pareto_front};
+use super::statistics::{
+    BetweenRuns, BreakEven, Cost, break_even, estimate, paired_ratio, pareto_front,
+};
 use crate::record::{Estimate, PictureRound, RayClass, SceneRecord, StructureRecord};
 
 /// The figures of all structures over a scene.
@@ -53,12 +55,12 @@ pub struct StructureFigures {
 
 impl SceneFigures {
     /// Computes the figures of a scene.
-    pub(super) fn of(scene: &SceneRecord, base: &str) -> Self {
+    pub(super) fn of(scene: &SceneRecord, base: &str, between_runs: BetweenRuns) -> Self {
         let base = base_of(scene, base);
         let mut structures: Vec<_> = scene
             .structures
             .iter()
-            .map(|structure| StructureFigures::of(structure, base, stored(scene)))
+            .map(|structure| StructureFigures::of(structure, base, stored(scene), between_runs))
             .collect();
         compare_costs(&mut structures, base);
         let base = base.map(|base| base.name.clone());
@@ -80,10 +82,19 @@ impl SceneFigures {
 }
 
 impl StructureFigures {
-    fn of(own: &StructureRecord, base: Option<&StructureRecord>, triangles: u64) -> Self {
+    fn of(
+        own: &StructureRecord,
+        base: Option<&StructureRecord>,
+        triangles: u64,
+        between_runs: BetweenRuns,
+    ) -> Self {
+        let estimate = |rounds: &[f64]| estimate(rounds).map(|own| between_runs.widen(own));
         let base_class = |class| base.and_then(|base| base.class(class));
-        let classes: Vec<_> =
-            own.classes.iter().map(|class| class_figures(class, base_class(class.class))).collect();
+        let classes: Vec<_> = own
+            .classes
+            .iter()
+            .map(|class| class_figures(class, base_class(class.class), between_runs))
+            .collect();
         let picture_rounds = picture_ns(own);
         let shape = own.shape.as_ref();
         Self {
@@ -99,7 +110,10 @@ impl StructureFigures {
             picture_build_ns: estimate(&picture_part(own, |round| round.build_ns)),
             picture_render_ns: estimate(&picture_part(own, |round| round.render_ns)),
             picture_ns: estimate(&picture_rounds),
-            picture_speedup: base.and_then(|base| paired_ratio(&picture_ns(base), &picture_rounds)),
+            picture_speedup: base.and_then(|base| {
+                let ratio = paired_ratio(&picture_ns(base), &picture_rounds)?;
+                Some(if std::ptr::eq(base, own) { ratio } else { between_runs.widen(ratio) })
+            }),
             mean_ray_ns: mean_ray_ns(&classes),
             break_even: None,
             on_pareto_front: false,

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::class::own_ns_per_ray;
-use super::statistics::{PowerLaw, log_log_fit};
+use super::statistics::{BetweenRuns, PowerLaw, log_log_fit};
 use crate::record::{Estimate, RayClass, Sweep, SweepPoint};
 
 /// The curves of a family of meshes.
@@ -42,10 +42,10 @@ pub struct SweepValue {
 
 impl SweepFigures {
     /// Computes the curves of a sweep. Points without rounds are left out.
-    pub(super) fn of(sweep: &Sweep) -> Self {
+    pub(super) fn of(sweep: &Sweep, between_runs: BetweenRuns) -> Self {
         let mut curves: Vec<SweepCurve> = Vec::new();
         for point in &sweep.points {
-            let Some(value) = value(point) else { continue };
+            let Some(value) = value(point, between_runs) else { continue };
             let same = |c: &SweepCurve| c.structure == point.structure && c.class == point.class;
             if let Some(curve) = curves.iter_mut().find(|curve| same(curve)) {
                 curve.values.push(value);
@@ -83,9 +83,10 @@ impl SweepFigures {
     }
 }
 
-fn value(point: &SweepPoint) -> Option<SweepValue> {
+fn value(point: &SweepPoint, between_runs: BetweenRuns) -> Option<SweepValue> {
     let ns_per_ray =
         own_ns_per_ray(&point.rounds, point.rays, point.sample, &point.passes).estimate()?;
+    let ns_per_ray = between_runs.widen(ns_per_ray);
     Some(SweepValue { triangles: point.triangles, ns_per_ray, slope: None })
 }
 

@@ -82,6 +82,15 @@ pub(crate) struct CompareArguments {
         value_parser = whole::<u32>(1, 400))]
     pub(crate) rounds: u32,
 
+    /// How much times differ from run to run on this machine, as a standard deviation; intervals
+    /// include it
+    ///
+    /// No run can measure it by itself. The default was seen on virtual machines; on a machine that
+    /// does nothing else it is less, and 0 gives intervals for this run alone.
+    #[arg(long, value_name = "PERCENT", default_value = "5%", allow_negative_numbers = true,
+        value_parser = percent)]
+    pub(crate) between_runs: f64,
+
     /// Width and height of the pictures [default: those of the scene, at most 300 pixels a side]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub(crate) size: Option<Size>,

@@ -33,6 +33,7 @@ pub(super) fn plan(
     plan.command = command();
     plan.budget = Some(arguments.budget.unwrap_or(Duration::from_secs(seconds)));
     plan.rounds.at_least = arguments.rounds;
+    plan.between_runs = arguments.between_runs;
     plan.build = BuildConfig { quality: arguments.build, ..BuildConfig::default() };
     plan.threads = arguments.threads.map_or(plan.threads, usize::from);
     plan.picture = PictureOptions {

@@ -120,6 +120,8 @@ pub struct Plan {
     pub budget: Option<Duration>,
     /// When rounds end.
     pub rounds: RoundRule,
+    /// The relative standard deviation of a time from run to run on this machine, which intervals include.
+    pub between_runs: f64,
     /// The most rays of a class that are recorded.
     pub rays_per_class: usize,
     /// Rays that are measured in place of recorded ones, by the names of their scenes. They are for the geometry of
@@ -138,6 +140,10 @@ impl Plan {
     pub const USUAL_CLASSES: [RayClass; 4] =
         [RayClass::View, RayClass::Shadow, RayClass::Mirror, RayClass::Refraction];
 
+    /// What differed from run to run of the same comparison on virtual machines, whose neighbours differ from minute to
+    /// minute (`docs/measuring.md` has the runs).
+    pub const BETWEEN_RUNS: f64 = 0.05;
+
     /// A plan for some scenes, with the defaults of the command for everything else.
     #[must_use]
     pub fn of_scenes(scenes: Vec<SceneInput>) -> Self {
@@ -150,6 +156,7 @@ impl Plan {
             threads: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
             budget: None,
             rounds: RoundRule { warmup: 1, at_least: 10, relative_interval: 0.02 },
+            between_runs: Self::BETWEEN_RUNS,
             rays_per_class: 200_000,
             replayed: BTreeMap::new(),
             keep_rays: false,

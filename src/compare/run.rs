@@ -226,6 +226,7 @@ fn describe(plan: &Plan) -> Run {
             build: plan.build.quality.name().to_owned(),
         },
         rounds: plan.rounds.clone(),
+        between_runs: plan.between_runs,
         ..build_of_program()
     }
 }

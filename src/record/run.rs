@@ -35,6 +35,10 @@ pub struct Run {
     pub options: Options,
     /// When each measurement was repeated often enough.
     pub rounds: RoundRule,
+    /// The relative standard deviation of a time, or of a ratio of times, from run to run on this machine: stated, not
+    /// measured, and included in every interval of a time. 0 in older records, whose intervals are for their run alone.
+    #[serde(default)]
+    pub between_runs: f64,
 }
 
 /// What the pictures and the replayed rays were made with.

@@ -1,6 +1,7 @@
 //! The limits of a report: sentences on what it does not show and on what is doubtful, for every form.
 
 use super::Report;
+use crate::analysis::statistics::NORMAL;
 use crate::analysis::{Analysis, ClassFigures, SceneFigures};
 use crate::record::Comparison;
 
@@ -15,9 +16,10 @@ const ALWAYS: [&str; 8] = [
      random sample, it is the mean, and its interval includes the choice of the rays. Intervals are \
      Student's, of the logarithm, from the differences between passes: pieces of the measurement that \
      are apart in time, for each of which the structures were built anew. So they include what the \
-     place in memory and the minutes of this run do, not the effect of another build of the program \
-     or of another machine.",
-    "Intervals of builds and pictures are exact intervals of medians by order statistics. They assume \
+     place in memory and the minutes of this run do, and what is stated to differ between runs, not \
+     the effect of another build of the program or of another machine.",
+    "Intervals of builds and pictures are exact intervals of medians by order statistics, widened by \
+     the same statement. They assume \
      independent rounds, but consecutive rounds are not quite independent, and rounds end once \
      intervals are narrow: both make them a little too narrow.",
     "Times of rays are wall times without waiting for a processor that other programs used. All \
@@ -82,7 +84,7 @@ fn base_limits(comparison: &Comparison, analysis: &Analysis) -> Vec<String> {
 
 /// Measurements with too few rounds, wide intervals, samples or much waiting.
 fn round_limits(comparison: &Comparison, analysis: &Analysis) -> Vec<String> {
-    let goal = comparison.run.rounds.relative_interval;
+    let goal = target(comparison);
     let classes = classes(analysis);
     let width = |class: &ClassFigures| class.ns_per_ray.and_then(|e| e.relative_half_width());
     let counts = [
@@ -101,6 +103,11 @@ fn round_limits(comparison: &Comparison, analysis: &Analysis) -> Vec<String> {
     let own =
         some.map(|(n, what)| format!("{n} of {} measurements of rays {what}.", classes.len()));
     own.chain(not_built_anew(comparison)).collect()
+}
+
+/// The half width that rounds aim at, with what differs between runs, which no round makes less.
+fn target(comparison: &Comparison) -> f64 {
+    comparison.run.rounds.relative_interval.hypot(NORMAL * comparison.run.between_runs)
 }
 
 /// The scenes whose intervals do not include the place in memory.

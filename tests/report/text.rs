@@ -30,6 +30,23 @@ fn the_verdict_is_one_sentence() {
     );
 }
 
+/// A statement that runs differ by 5 % leaves no finding of 3 % certain, however narrow the run's own interval is.
+#[test]
+fn intervals_include_what_is_stated_to_differ_between_runs() {
+    let mut comparison = sample::full();
+    let row = |comparison: &Comparison| {
+        let text = Report::new(comparison).markdown();
+        text.lines().find(|line| line.contains("Between runs")).map(str::to_owned)
+    };
+    let of_one_run = row(&comparison).unwrap();
+    assert!(of_one_run.contains("they are for this run alone"), "{of_one_run}");
+    comparison.run.between_runs = 0.05;
+    let of_any_run = row(&comparison).unwrap();
+    assert!(of_any_run.contains("a standard deviation of 5.0\u{a0}%, as stated"), "{of_any_run}");
+    let verdict = Report::new(&comparison).verdict();
+    assert!(verdict.contains("equally fast within the error: 1.03\u{a0}×"), "{verdict}");
+}
+
 #[test]
 fn the_verdict_of_few_rounds_claims_no_interval() {
     let mut comparison = sample::full();

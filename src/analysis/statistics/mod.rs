@@ -3,6 +3,7 @@
 //! The random numbers of the bootstrap have a fixed seed, so the same rounds always give the same interval. What cannot
 //! be computed from the given numbers is `None`, never NaN.
 
+mod between_runs;
 mod estimate;
 mod growth;
 mod interpolate;
@@ -10,6 +11,7 @@ mod ratio;
 mod replicates;
 mod tradeoff;
 
+pub use between_runs::{BetweenRuns, NORMAL};
 pub use estimate::{INTERVAL_ROUNDS, RESAMPLES, estimate, median};
 pub use growth::{PowerLaw, log_log_fit};
 pub use interpolate::log_log_interpolate;

@@ -74,7 +74,19 @@ fn plan(run: &Run) -> Vec<(&'static str, String)> {
                 numbers::percent(rule.relative_interval)
             ),
         ),
+        ("Between runs", between_runs(run.between_runs)),
     ]
+}
+
+fn between_runs(deviation: f64) -> String {
+    if deviation > 0.0 {
+        format!(
+            "a standard deviation of {}, as stated, which all intervals of times include",
+            numbers::percent(deviation)
+        )
+    } else {
+        "not included in intervals: they are for this run alone".to_owned()
+    }
 }
 
 fn text(text: &str) -> String {

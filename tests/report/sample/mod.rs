@@ -48,6 +48,7 @@ fn run() -> Run {
             build: "medium".to_owned(),
         },
         rounds: RoundRule { warmup: 1, at_least: 10, relative_interval: 0.02 },
+        between_runs: 0.0,
     }
 }
 
