@@ -86,6 +86,8 @@ pub mod film;
 #[cfg(feature = "program")]
 pub mod image_io;
 #[cfg(feature = "program")]
+pub mod pack;
+#[cfg(feature = "program")]
 pub mod part_file;
 #[cfg(feature = "program")]
 pub mod ray_file;

@@ -13,12 +13,27 @@ use super::{
     AssetError, FileLine, MemoryShortage, MeshData, Problem, expect_memory, obj, read_file,
 };
 use crate::description::MeshReference;
+use crate::pack::Pack;
+
+/// Where the files are that a scene names.
+#[derive(Clone, Copy, Debug)]
+pub enum MeshFiles<'a> {
+    /// Their paths are relative to this folder, which is the scene's.
+    Folder(&'a Path),
+    /// In a pack; errors call them by its path and theirs in it.
+    Pack(&'a Pack, &'a Path),
+}
+
+impl<'a> From<&'a Path> for MeshFiles<'a> {
+    fn from(folder: &'a Path) -> Self {
+        Self::Folder(folder)
+    }
+}
 
 /// Loads the meshes of a scene: the i-th of the result is that of the i-th reference.
 ///
-/// Names of the same file, or of the same generated mesh, share one mesh. Paths are
-/// relative to `folder`. Any file is read as a Wavefront OBJ, whatever its extension; names that
-/// start with `generate:` are [recipes](Recipe).
+/// Names of the same file, or of the same generated mesh, share one mesh. Any file is read as a
+/// Wavefront OBJ, whatever its extension; names that start with `generate:` are [recipes](Recipe).
 ///
 /// ```
 /// use srt::{assets::load_meshes, description::MeshReference};
@@ -33,11 +48,11 @@ use crate::description::MeshReference;
 /// # Errors
 /// One for every mesh that cannot be loaded, at the first reference to it, in the order of the
 /// references.
-pub fn load_meshes(
+pub fn load_meshes<'a>(
     references: &[MeshReference],
-    folder: &Path,
+    files: impl Into<MeshFiles<'a>>,
 ) -> Result<Vec<Arc<MeshData>>, Vec<AssetError>> {
-    let LoadedMeshes { meshes, errors } = load_each_mesh(references, folder);
+    let LoadedMeshes { meshes, errors } = load_each_mesh(references, files);
     if errors.is_empty() { Ok(meshes.into_iter().flatten().collect()) } else { Err(errors) }
 }
 
@@ -53,26 +68,32 @@ pub struct LoadedMeshes {
 /// Loads the meshes of a scene as [`load_meshes`] does, and keeps those that can be loaded beside the
 /// errors of the others.
 #[must_use]
-pub fn load_each_mesh(references: &[MeshReference], folder: &Path) -> LoadedMeshes {
-    let (meshes, errors) = each(references, folder, |source| source.load().map(Arc::new));
+pub fn load_each_mesh<'a>(
+    references: &[MeshReference],
+    files: impl Into<MeshFiles<'a>>,
+) -> LoadedMeshes {
+    let (meshes, errors) = each(references, files.into(), |source| source.load().map(Arc::new));
     LoadedMeshes { meshes, errors }
 }
 
 /// What is wrong with the meshes of a scene that will not be traced: its files are read and forgotten,
 /// and nothing is generated, since only the name of a generated mesh, and its size, can be wrong.
 #[must_use]
-pub fn check_meshes(references: &[MeshReference], folder: &Path) -> Vec<AssetError> {
-    each(references, folder, Source::check).1
+pub fn check_meshes<'a>(
+    references: &[MeshReference],
+    files: impl Into<MeshFiles<'a>>,
+) -> Vec<AssetError> {
+    each(references, files.into(), |source| source.check()).1
 }
 
 /// Does something with each mesh once: what came of each reference, and the errors, at the first
 /// reference to a mesh.
 fn each<T: Clone + Send + Sync>(
     references: &[MeshReference],
-    folder: &Path,
-    act: impl Fn(&Source) -> Result<T, Box<LoadFailure>> + Sync,
+    files: MeshFiles<'_>,
+    act: impl Fn(&Source<'_>) -> Result<T, Box<LoadFailure>> + Sync,
 ) -> (Vec<Option<T>>, Vec<AssetError>) {
-    let sources: Vec<_> = references.iter().map(|r| Source::of(&r.name, folder)).collect();
+    let sources: Vec<_> = references.iter().map(|r| Source::of(&r.name, files)).collect();
     let mut slots = HashMap::new();
     let mut distinct = Vec::new();
     let slot_of: Vec<usize> = sources
@@ -85,22 +106,23 @@ fn each<T: Clone + Send + Sync>(
             })
         })
         .collect();
-    let act = |(&(reference, source), shortage): (&(usize, &Source), Option<MemoryShortage>)| {
-        let done = match shortage {
-            Some(shortage) => Err(source.too_large(shortage)),
-            None => act(source),
+    let act =
+        |(&(reference, source), shortage): (&(usize, &Source<'_>), Option<MemoryShortage>)| {
+            let done = match shortage {
+                Some(shortage) => Err(source.too_large(shortage)),
+                None => act(source),
+            };
+            done.map_err(|failure| Box::new(failure.for_reference(reference)))
         };
-        done.map_err(|failure| Box::new(failure.for_reference(reference)))
-    };
     let done: Vec<_> = distinct.par_iter().zip(shortages(&distinct)).map(act).collect();
     let results = slot_of.into_iter().map(|slot| done[slot].as_ref().ok().cloned()).collect();
     (results, done.into_iter().filter_map(|done| done.err().map(|error| *error)).collect())
 }
 
 /// For each source, whether it and those before it take more memory than there is.
-fn shortages(sources: &[(usize, &Source)]) -> Vec<Option<MemoryShortage>> {
+fn shortages(sources: &[(usize, &Source<'_>)]) -> Vec<Option<MemoryShortage>> {
     let mut needed = 0u64;
-    let shortage = |(_, source): &(usize, &Source)| {
+    let shortage = |(_, source): &(usize, &Source<'_>)| {
         let own = source.bytes();
         needed = needed.saturating_add(own);
         // What takes nothing is not at fault.
@@ -110,9 +132,11 @@ fn shortages(sources: &[(usize, &Source)]) -> Vec<Option<MemoryShortage>> {
 }
 
 /// Where a mesh comes from.
-enum Source {
+enum Source<'a> {
     /// A file: its path as written, and the one that all names of the file share.
     File { path: PathBuf, canonical: PathBuf },
+    /// A file in a pack: what errors call it, and its contents.
+    Packed { path: PathBuf, contents: &'a [u8] },
     /// A generated mesh.
     Recipe(Recipe),
     /// There is none.
@@ -145,21 +169,26 @@ impl LoadFailure {
     }
 }
 
-impl Source {
-    fn of(name: &str, folder: &Path) -> Self {
+impl<'a> Source<'a> {
+    fn of(name: &str, files: MeshFiles<'a>) -> Self {
         let found = match Recipe::parse(name) {
             Some(recipe) => recipe.map(Self::Recipe).map_err(|error| {
                 let help = error.help();
                 LoadFailure::new(error.into(), Some(help))
             }),
-            None => find_file(folder.join(name)),
+            None => match files {
+                MeshFiles::Folder(folder) => find_file(folder.join(name)),
+                MeshFiles::Pack(pack, path) => find_packed(pack, path, name),
+            },
         };
         found.unwrap_or_else(|failure| Self::Nothing { name: name.to_owned(), failure })
     }
 
     fn key(&self) -> Key {
         match self {
-            Self::File { canonical, .. } => Key::File(canonical.clone()),
+            Self::File { canonical: path, .. } | Self::Packed { path, .. } => {
+                Key::File(path.clone())
+            }
             Self::Recipe(recipe) => Key::Recipe(*recipe),
             Self::Nothing { name, .. } => Key::Nothing(name.clone()),
         }
@@ -174,6 +203,7 @@ impl Source {
                 let is_file = |metadata: &fs::Metadata| metadata.is_file();
                 fs::metadata(path).ok().filter(is_file).map_or(0, |file| OF_FILE * file.len())
             }
+            Self::Packed { contents, .. } => OF_FILE * contents.len() as u64,
             Self::Recipe(recipe) => recipe.bytes(),
             Self::Nothing { .. } => 0,
         }
@@ -181,7 +211,7 @@ impl Source {
 
     fn too_large(&self, shortage: MemoryShortage) -> Box<LoadFailure> {
         let name = match self {
-            Self::File { path, .. } => path.display().to_string(),
+            Self::File { path, .. } | Self::Packed { path, .. } => path.display().to_string(),
             Self::Recipe(recipe) => recipe.to_string(),
             Self::Nothing { name, .. } => name.clone(),
         };
@@ -192,6 +222,7 @@ impl Source {
     fn load(&self) -> Result<MeshData, Box<LoadFailure>> {
         match self {
             Self::File { path, .. } => read_mesh(path),
+            Self::Packed { path, contents } => mesh_of_bytes(contents.to_vec(), path),
             Self::Recipe(recipe) => Ok(generate(recipe.kind, recipe.triangles, recipe.seed)),
             Self::Nothing { failure, .. } => Err(failure.clone()),
         }
@@ -201,12 +232,27 @@ impl Source {
     fn check(&self) -> Result<(), Box<LoadFailure>> {
         match self {
             Self::Recipe(_) => Ok(()),
-            Self::File { .. } | Self::Nothing { .. } => self.load().map(drop),
+            Self::File { .. } | Self::Packed { .. } | Self::Nothing { .. } => self.load().map(drop),
         }
     }
 }
 
-fn find_file(path: PathBuf) -> Result<Source, Box<LoadFailure>> {
+fn find_packed<'a>(
+    pack: &'a Pack,
+    path: &Path,
+    name: &str,
+) -> Result<Source<'a>, Box<LoadFailure>> {
+    let path = path.join(pack.member(name).unwrap_or_else(|| name.to_owned()));
+    match pack.file(name) {
+        Some(contents) => Ok(Source::Packed { path, contents }),
+        None => {
+            let help = "the pack is of another version of the scene: pack it again".to_owned();
+            Err(LoadFailure::new(Problem::Missing { path }, Some(help)))
+        }
+    }
+}
+
+fn find_file(path: PathBuf) -> Result<Source<'static>, Box<LoadFailure>> {
     let canonical = fs::canonicalize(&path).map_err(|error| match error.kind() {
         ErrorKind::NotFound | ErrorKind::NotADirectory => {
             let help = similar_name(&path);

@@ -14,7 +14,7 @@ mod obj;
 mod read;
 
 pub use error::{AssetError, FileLine, Problem};
-pub use load::{LoadedMeshes, check_meshes, load_each_mesh, load_meshes, read_obj};
+pub use load::{LoadedMeshes, MeshFiles, check_meshes, load_each_mesh, load_meshes, read_obj};
 pub use memory::{MemoryShortage, available_memory, expect_memory};
 pub use mesh_data::MeshData;
 pub use read::{read_file, read_stream};

@@ -66,6 +66,8 @@ pub(crate) enum Command {
     Part(PartArguments),
     /// Put the parts of a picture together
     Assemble(AssembleArguments),
+    /// Put a scene and all files that it names into one file, for another machine
+    Pack(PackArguments),
     /// Validate scenes without rendering, and list what is in them
     Check(CheckArguments),
     /// Compare acceleration structures, prove their results equal, and write a report
@@ -86,6 +88,33 @@ pub(crate) enum Command {
     Completions(CompletionsArguments),
     /// Print the man page, or write it and those of the subcommands into a folder
     Man(ManArguments),
+}
+
+/// `srt pack`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+A pack is read wherever a scene is: `srt scene.srtpack picture.png`. It is a tar archive with the SHA-256 of\n\
+each file, which are checked as it is read; docs/pack-file.md describes it.\n\n\
+Exit codes: 0 done, 2 trouble.\n\n\
+Examples:\n  \
+srt pack scenes/dice.sce -o dice.srtpack\n  \
+srt pack scenes/dice.sce -o - | ssh host srt - - --format png > dice.png")]
+pub(crate) struct PackArguments {
+    /// The scene file (sce1.0); `-` is standard input
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+
+    /// The file to write; `-` is standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: PathBuf,
+
+    /// Treat unknown commands of the scene as warnings
+    #[arg(long)]
+    pub(crate) lenient: bool,
+
+    /// Print nothing but errors
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
 }
 
 /// `srt check`.

@@ -3,10 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::source::{self, SourceError};
+use super::source::{self, Source, SourceError};
 use super::terminal::{print_error, print_message};
 use super::{diagnose, terminal};
-use crate::assets::{LoadedMeshes, MeshData, available_memory, check_meshes, load_each_mesh};
+use crate::assets::{
+    LoadedMeshes, MeshData, MeshFiles, available_memory, check_meshes, load_each_mesh,
+};
 use crate::description::{SceneDescription, Shape};
 use crate::scene::Scene;
 use crate::scene_file::{
@@ -45,15 +47,24 @@ pub(crate) enum LoadError {
 
 /// Loads a scene with its meshes, on the threads of the current rayon pool.
 pub(crate) fn load(path: &Path, lenient: bool) -> Result<Loaded, LoadError> {
-    let source = source::read(path)?;
-    match compile(&source, path, lenient) {
+    load_source(&source::read(path)?, path, lenient)
+}
+
+/// The same with what was read from the path.
+pub(crate) fn load_source(
+    source: &Source,
+    path: &Path,
+    lenient: bool,
+) -> Result<Loaded, LoadError> {
+    let written = source.text();
+    match compile(&written, source.files(), lenient) {
         Ok((description, scene, warnings)) => {
-            let warnings = text(&warnings, &source, path);
-            Ok(Loaded { text: source, description, scene, warnings })
+            let warnings = text(&warnings, &written, source);
+            Ok(Loaded { text: written.into_owned(), description, scene, warnings })
         }
         Err(diagnostics) => Err(LoadError::Invalid {
             path: path.to_owned(),
-            text: text(&diagnostics, &source, path),
+            text: text(&diagnostics, &written, source),
             summary: summarize(&diagnostics),
         }),
     }
@@ -70,19 +81,18 @@ pub(crate) fn print_load_error(error: &LoadError) {
 /// The scene as written and as traced, and its warnings; or all that is wrong with it.
 fn compile(
     source: &str,
-    path: &Path,
+    files: MeshFiles<'_>,
     lenient: bool,
 ) -> Result<(SceneDescription, Scene, Vec<Diagnostic>), Vec<Diagnostic>> {
-    let folder = folder_of(path);
     let options = ParseOptions { lenient, memory: available_memory() };
     let parsed = parse_to_meshes(source, &options).map_err(|invalid| {
         let Invalid { mut diagnostics, meshes } = invalid;
-        let errors = check_meshes(&meshes, folder);
+        let errors = check_meshes(&meshes, files);
         diagnostics.extend(errors.iter().map(|error| diagnose::mesh(error, &meshes)));
         in_order(diagnostics)
     })?;
     let (mut description, mut diagnostics) = (parsed.description, parsed.warnings);
-    let LoadedMeshes { meshes, errors } = load_each_mesh(&description.meshes, folder);
+    let LoadedMeshes { meshes, errors } = load_each_mesh(&description.meshes, files);
     if !errors.is_empty() {
         let errors = errors.iter().map(|error| diagnose::mesh(error, &description.meshes));
         diagnostics.extend(errors);
@@ -115,20 +125,14 @@ fn leave_out_what_has_no_mesh(
     });
 }
 
-/// The folder that the scene's mesh paths are relative to: the working folder for a scene from
-/// standard input.
-fn folder_of(path: &Path) -> &Path {
-    path.parent().unwrap_or(Path::new(""))
-}
-
 /// In the order of the scene's text; those of one place stay in their order.
 fn in_order(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     diagnostics.sort_by_key(|diagnostic| diagnostic.span.start);
     diagnostics
 }
 
-fn text(diagnostics: &[Diagnostic], text_of_scene: &str, path: &Path) -> String {
-    let name = source::name(path);
+fn text(diagnostics: &[Diagnostic], text_of_scene: &str, source: &Source) -> String {
+    let name = source.name();
     let mut text = render_diagnostics(diagnostics, text_of_scene, &name, terminal::colors());
     text.truncate(text.trim_end().len());
     text

@@ -88,6 +88,7 @@ mod tests {
             "srt.1",
             "srt-part.1",
             "srt-assemble.1",
+            "srt-pack.1",
             "srt-check.1",
             "srt-compare.1",
             "srt-conformance.1",

@@ -13,7 +13,7 @@
 //! | `command_line.rs` | the definition with the structures of this program; what was typed |
 //! | `work.rs`, `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
 //! | `refine.rs`, `checkpoint.rs`, `origin.rs` | a rendering in passes, saved and gone on with; what it is of |
-//! | `part.rs`, `assemble.rs` | the subcommands for many machines |
+//! | `part.rs`, `assemble.rs`, `pack.rs` | the subcommands for many machines |
 //! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `rays.rs` | the subcommands |
 //! | `check.rs`, `diff.rs`, `mesh.rs`, `accels.rs` | smaller ones |
 //! | `completions.rs`, `man.rs` | the subcommands that print the definition in other forms |
@@ -21,7 +21,7 @@
 //! | `ray_files.rs` | the files of rays of a comparison |
 //! | `result_folder.rs`, `fingerprint.rs` | the files of a comparison; the hash of a scene's files |
 //! | `terminal.rs`, `interrupt.rs`, `progress.rs`, `compare_progress.rs` | the terminal |
-//! | `load.rs`, `source.rs` | a scene from its file |
+//! | `load.rs`, `source.rs` | a scene from its file, or from a pack |
 //! | `diagnose.rs`, `inventory.rs` | what is wrong with a scene; what is in it |
 //! | `image.rs`, `picture.rs` | what was rendered → the picture that is written |
 //! | `figures.rs`, `summary.rs` | the figures of a rendering, and their text |
@@ -56,6 +56,7 @@ mod near;
 mod options;
 mod origin;
 mod output;
+mod pack;
 mod part;
 mod part_args;
 mod picture;
@@ -118,6 +119,7 @@ fn dispatch(structures: &Structures) -> CommandResult {
         None => render::run(arguments.render, &interrupt),
         Some(Command::Part(part)) => part::run(part, &interrupt),
         Some(Command::Assemble(assemble)) => assemble::run(&assemble),
+        Some(Command::Pack(pack)) => pack::run(&pack),
         Some(Command::Check(check)) => check::run(&check),
         Some(Command::Compare(compare)) => compare::run(&compare, &interrupt),
         Some(Command::Conformance(check)) => conformance::run(&check, &interrupt),

@@ -13,6 +13,7 @@ mod faults;
 mod interrupt;
 mod mesh;
 mod outputs;
+mod packs;
 mod parts;
 mod rays;
 #[cfg(unix)]
