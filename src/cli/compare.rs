@@ -12,11 +12,10 @@ use super::interrupt::Interrupt;
 use super::load::{load, print_load_error};
 use super::output::print;
 use super::ray_files::{self, RayFolder};
-use super::result_folder::{PictureFiles, ResultFolder, read_record};
+use super::result_folder::{ResultFolder, encoded, pictures_in, read_record};
 use super::terminal::{print_error, print_message};
 use crate::analysis::baseline;
 use crate::compare::{self, ComparisonResult, SceneInput};
-use crate::image_io::{Format, Picture, encode};
 use crate::record::{Baseline, Comparison, Dropped};
 use crate::report::Report;
 
@@ -31,21 +30,27 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Comman
         Some(out) => ResultFolder::prepare(out)?,
         None => ResultFolder::claim(Path::new("results"), &default_name(&arguments.scenes))?,
     };
-    let plan = plan(arguments, scenes, replayed);
+    let mut plan = plan(arguments, scenes, replayed);
+    if arguments.resume {
+        plan.resumed = folder.resumable(&plan)?;
+    }
     if let Some(note) = too_short(&plan).filter(|_| !arguments.quiet) {
         print_message(note);
     }
     if !arguments.quiet {
         compare::disturbances().iter().for_each(print_message);
     }
-    let progress = CompareProgress::start(arguments.quiet, interrupt.clone(), rays.as_ref());
+    let quiet = arguments.quiet;
+    let progress = CompareProgress::start(quiet, interrupt.clone(), rays.as_ref(), &folder);
     let result = interrupt.cancellable(|| compare::run(&plan, &arguments.structures(), &progress));
     drop(progress);
     let mut result = result.map_err(Failure::new)?;
     result.comparison.baseline =
         old.map(|old| baseline::compare(&old, &result.comparison, arguments.fail_above));
     let report = Report::new(&result.comparison);
-    folder.write(&report, &encoded(&result.pictures)?)?;
+    let mut pictures = pictures_in(&result.comparison, folder.path());
+    pictures.extend(encoded(&result.pictures)?);
+    folder.write(&report, &pictures)?;
     let fine = print_result(arguments, &result, &report, folder.path())?;
     // Last, so that a folder that is full takes nothing of the report away.
     rays.map_or(Ok(()), RayFolder::finish)?;
@@ -156,13 +161,6 @@ fn default_name(scenes: &[PathBuf]) -> String {
         n => format!("-and-{}-more", n - 1),
     };
     format!("{date}-{first}{more}")
-}
-
-fn encoded(pictures: &[(String, Picture)]) -> Result<PictureFiles, Failure> {
-    let png = |(name, picture): &(String, _)| {
-        encode(picture, Format::Png).map(|bytes| (name.clone(), bytes)).map_err(Failure::new)
-    };
-    pictures.iter().map(png).collect()
 }
 
 #[cfg(test)]

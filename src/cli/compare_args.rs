@@ -123,6 +123,13 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 
+    /// Go on with what --out has of this comparison, or begin where it has nothing yet
+    ///
+    /// Each scene, sweep and study that is done is saved there as soon as it is. The command has to
+    /// be the same but for --resume and --quiet.
+    #[arg(long, requires = "out", conflicts_with = "save_rays")]
+    pub(crate) resume: bool,
+
     /// An older report.json to compare with
     #[arg(long, value_name = "FILE", requires = "scenes")]
     pub(crate) baseline: Option<PathBuf>,

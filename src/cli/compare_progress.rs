@@ -7,7 +7,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::interrupt::Interrupt;
 use super::ray_files::RayFolder;
-use crate::compare::Observer;
+use super::result_folder::ResultFolder;
+use super::terminal::print_message;
+use crate::compare::{ComparisonResult, Observer};
 use crate::ray_file::RayFile;
 
 /// Steps of the bar.
@@ -18,16 +20,22 @@ const TICK: Duration = Duration::from_millis(250);
 
 const TEMPLATE: &str = "{bar:24} {percent:>3} %  {eta} left  {msg}";
 
-/// Watches a comparison: shows what is being done, writes the rays that it is to leave, and cancels it.
+/// Watches a comparison: shows what is being done, saves what is done and the rays that it is to leave, and cancels it.
 pub(super) struct CompareProgress<'a> {
     bar: ProgressBar,
     interrupt: Interrupt,
     rays: Option<&'a RayFolder>,
+    folder: &'a ResultFolder,
 }
 
 impl<'a> CompareProgress<'a> {
     /// Nothing is shown if `quiet` or if standard error is no terminal.
-    pub(super) fn start(quiet: bool, interrupt: Interrupt, rays: Option<&'a RayFolder>) -> Self {
+    pub(super) fn start(
+        quiet: bool,
+        interrupt: Interrupt,
+        rays: Option<&'a RayFolder>,
+        folder: &'a ResultFolder,
+    ) -> Self {
         let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::hidden());
         if !quiet && std::io::stderr().is_terminal() {
             let style = ProgressStyle::with_template(TEMPLATE)
@@ -36,7 +44,7 @@ impl<'a> CompareProgress<'a> {
             bar.set_style(style.progress_chars("█▉▊▋▌▍▎▏ "));
             bar.enable_steady_tick(TICK);
         }
-        Self { bar, interrupt, rays }
+        Self { bar, interrupt, rays, folder }
     }
 }
 
@@ -51,6 +59,14 @@ impl Observer for CompareProgress<'_> {
 
     fn cancelled(&self) -> bool {
         self.interrupt.is_requested()
+    }
+
+    fn part_done(&self, so_far: &ComparisonResult) {
+        // The disk may have room again until the report is written, which fails if not.
+        if let Err(error) = self.folder.write_so_far(so_far) {
+            let warning = format!("warning: what is done could not be saved: {error}");
+            self.bar.suspend(|| print_message(warning));
+        }
     }
 
     fn rays_recorded(&self, scene: &str, rays: &RayFile) {

@@ -1,13 +1,11 @@
 //! `srt report`: a record → the report again, in all its forms.
 
-use std::fs;
 use std::path::Path;
 
 use super::compare_args::ReportArguments;
 use super::exit::{CommandResult, Exit};
 use super::output::print;
-use super::result_folder::{PictureFiles, ResultFolder, picture_names, read_record};
-use crate::record::Comparison;
+use super::result_folder::{ResultFolder, pictures_in, read_record};
 use crate::report::Report;
 
 /// Writes the report again.
@@ -19,15 +17,9 @@ pub(super) fn run(arguments: &ReportArguments) -> CommandResult {
     let comparison = read_record(&arguments.record)?;
     let folder = ResultFolder::prepare(arguments.out.as_deref().unwrap_or(own_folder))?;
     let report = Report::new(&comparison);
-    folder.write(&report, &pictures(&comparison, own_folder))?;
+    folder.write(&report, &pictures_in(&comparison, own_folder))?;
     if !arguments.quiet {
         print(&report.terminal())?;
     }
     Ok(Exit::Fine)
-}
-
-/// The pictures that a record names, as far as they exist: a report lists those that are missing.
-fn pictures(comparison: &Comparison, folder: &Path) -> PictureFiles {
-    let read = |name: String| Some((name.clone(), fs::read(folder.join(&name)).ok()?));
-    picture_names(comparison).into_iter().filter_map(read).collect()
 }

@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use super::exit::Failure;
 use super::output::{Output, claim_folder, make_folder};
 use crate::assets::read_file;
-use crate::compare::{heatmap_name, picture_name};
+use crate::compare::{self, ComparisonResult, Plan, heatmap_name, picture_name};
+use crate::image_io::{Format, Picture, encode};
 use crate::record::{Comparison, SceneRecord};
 use crate::report::{Report, read_json};
 
@@ -80,6 +81,33 @@ impl ResultFolder {
         Ok(())
     }
 
+    /// Writes what is done of a comparison: its record and its pictures, without the forms for readers.
+    pub(super) fn write_so_far(&self, so_far: &ComparisonResult) -> Result<(), Failure> {
+        for (name, bytes) in encoded(&so_far.pictures)? {
+            self.write_file(&name, &bytes)?;
+        }
+        let json = Report::new(&so_far.comparison).json().map_err(Failure::new)?;
+        self.write_file("report.json", json.as_bytes())
+    }
+
+    /// The record here, if there is one and it is of this plan.
+    pub(super) fn resumable(&self, plan: &Plan) -> Result<Option<Comparison>, Failure> {
+        let path = self.path.join("report.json");
+        if !path.exists() {
+            return Ok(None);
+        }
+        let record = read_record(&path)?;
+        compare::expect_same(&record.run, &compare::describe(plan), without_resume).map_err(
+            |error| {
+                Failure::new(format_args!(
+                    "cannot go on with `{}`: {error}; leave --resume out to begin anew",
+                    path.display()
+                ))
+            },
+        )?;
+        Ok(Some(record))
+    }
+
     /// The files of the older report in this folder which the new one does not replace: they would be
     /// taken for its own. A record may come from anywhere, so only names that this program gives.
     fn stale(&self, comparison: &Comparison) -> Vec<String> {
@@ -102,10 +130,30 @@ impl ResultFolder {
     }
 }
 
+/// A command without what may differ where it is gone on with.
+fn without_resume(command: &str) -> String {
+    let differs = |word: &&str| !["--resume", "--quiet", "-q"].contains(word);
+    command.split(' ').filter(differs).collect::<Vec<_>>().join(" ")
+}
+
+/// Pictures as files.
+pub(super) fn encoded(pictures: &[(String, Picture)]) -> Result<PictureFiles, Failure> {
+    let png = |(name, picture): &(String, _)| {
+        encode(picture, Format::Png).map(|bytes| (name.clone(), bytes)).map_err(Failure::new)
+    };
+    pictures.iter().map(png).collect()
+}
+
+/// The pictures that a record names, as far as a folder has them: a report lists those that are missing.
+pub(super) fn pictures_in(comparison: &Comparison, folder: &Path) -> PictureFiles {
+    let read = |name: String| Some((name.clone(), fs::read(folder.join(&name)).ok()?));
+    picture_names(comparison).into_iter().filter_map(read).collect()
+}
+
 /// The files of all pictures that a record names.
 ///
 /// A record may come from anywhere: a name that leads out of its folder, or deeper, is left out.
-pub(super) fn picture_names(comparison: &Comparison) -> Vec<String> {
+fn picture_names(comparison: &Comparison) -> Vec<String> {
     let heatmaps = |scene: &SceneRecord| {
         let all = scene.structures.iter().filter_map(|own| own.heatmap.clone());
         scene.picture.clone().into_iter().chain(all).collect::<Vec<_>>()

@@ -1,5 +1,6 @@
 //! Who watches a comparison, and may stop it.
 
+use super::ComparisonResult;
 use crate::ray_file::RayFile;
 
 /// Receives the progress of a comparison, between its steps.
@@ -10,6 +11,9 @@ pub trait Observer: Sync {
     fn advanced(&self, share: f64);
     /// Whether to stop and keep what is done.
     fn cancelled(&self) -> bool;
+    /// A part of the plan is done, a scene or another: all that was measured until now, which can be gone on with. By
+    /// default it is not kept.
+    fn part_done(&self, _so_far: &ComparisonResult) {}
     /// The rays of a scene were recorded, where [`Plan::keep_rays`](super::Plan::keep_rays) wants them. By default they
     /// are dropped.
     fn rays_recorded(&self, _scene: &str, _rays: &RayFile) {}

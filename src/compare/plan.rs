@@ -6,7 +6,7 @@ use std::time::Duration;
 use crate::accel::BuildConfig;
 use crate::assets::generate::MeshKind;
 use crate::ray_file::RayFile;
-use crate::record::{RayClass, RoundRule};
+use crate::record::{Comparison, RayClass, RoundRule};
 use crate::render::{Sampling, Settings};
 use crate::scene::Scene;
 
@@ -129,6 +129,8 @@ pub struct Plan {
     pub replayed: BTreeMap<String, RayFile>,
     /// Whether the observer gets the rays of each scene that are recorded.
     pub keep_rays: bool,
+    /// The record of the same plan that was stopped, to go on with: see [`expect_same`](super::expect_same).
+    pub resumed: Option<Comparison>,
     /// Growth with the number of triangles, if that is to be measured.
     pub sweep: Option<SweepPlan>,
     /// Whether to study what random numbers and shuffling cost, and how much noise they leave.
@@ -160,6 +162,7 @@ impl Plan {
             rays_per_class: 200_000,
             replayed: BTreeMap::new(),
             keep_rays: false,
+            resumed: None,
             sweep: None,
             sampling_study: false,
         }

@@ -1,7 +1,7 @@
 //! The whole plan, from the first scene to the record.
 
 use std::collections::HashSet;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use rayon::ThreadPoolBuildError;
 use thiserror::Error;
@@ -19,8 +19,10 @@ use super::observer::Observer;
 use super::plan::{Plan, SceneInput};
 use super::pools::Pools;
 use super::progress::PartProgress;
+use super::record_so_far::RecordSoFar;
+use super::resume::Before;
 use super::sampling_study::sampling_study;
-use super::scene::{SceneResult, compare_scene};
+use super::scene::compare_scene;
 use super::sweep::sweep;
 
 /// What was measured.
@@ -95,41 +97,34 @@ pub fn run(
         .map_err(|(threads, source)| CompareError::Threads { threads, source })?;
     let start = Instant::now();
     let mut comparison = Comparison::new(describe(plan), base_name(structures));
-    let mut pictures = Vec::new();
-    let mut parts = Parts::new(plan, observer);
+    let before = Before::of(plan);
+    let mut parts = Parts::new(plan, observer, &before);
     comparison.conformance = check_conformance(structures, &pools, parts.budget, observer);
-    let checked = &comparison.conformance;
-    let mut results: Vec<Option<SceneResult>> = plan.scenes.iter().map(|_| None).collect();
+    let checked = comparison.conformance.clone();
+    let mut record = RecordSoFar::new(plan, comparison, observer, &before, start);
     for place in cheapest_first(&plan.scenes) {
         let input = &plan.scenes[place];
-        results[place] = parts.next(|budget, progress| {
-            compare_scene(input, structures, checked, plan, &pools, budget, progress)
+        if before.scene(input).is_some() {
+            continue;
+        }
+        let result = parts.next(|budget, progress| {
+            compare_scene(input, structures, &checked, plan, &pools, budget, progress)
         });
+        record.add_scene(&input.name, result);
     }
-    // What was measured before a stop is kept.
-    for result in results.into_iter().flatten() {
-        comparison.scenes.push(result.record);
-        comparison.notes.extend(result.notes);
-        pictures.extend(result.pictures);
-    }
-    if let Some(growth) = &plan.sweep {
-        let checked = &comparison.conformance;
-        let growth = parts.next(|budget, progress| {
-            sweep(growth, structures, checked, plan, &pools, budget, progress)
-        });
-        comparison.sweeps.extend(growth);
-    }
-    if plan.sampling_study
-        && let Some(study) =
-            parts.next(|budget, progress| sampling_study(plan, &pools, budget, progress))
+    if let Some(growth) = &plan.sweep
+        && before.sweep(growth.mesh.name()).is_none()
     {
-        comparison.sampling = Some(study.chapter);
-        comparison.notes.extend(study.notes);
+        let result = parts.next(|budget, progress| {
+            sweep(growth, structures, &checked, plan, &pools, budget, progress)
+        });
+        record.add_sweep(result);
     }
-    comparison.run.partial = observer.cancelled();
-    comparison.run.elapsed_seconds = start.elapsed().as_secs_f64();
-    comparison.notes.extend(general_notes());
-    Ok(ComparisonResult { comparison, pictures })
+    if plan.sampling_study && before.study().is_none() {
+        let result = parts.next(|budget, progress| sampling_study(plan, &pools, budget, progress));
+        record.add_study(result);
+    }
+    Ok(record.finish())
 }
 
 /// The order in which scenes are measured: those that take the least time first, so that what they leave of their
@@ -151,11 +146,16 @@ struct Parts<'a> {
 }
 
 impl<'a> Parts<'a> {
-    /// None is done; the time of the plan begins.
-    fn new(plan: &'a Plan, observer: &'a dyn Observer) -> Self {
+    /// What was done before has had its time; that of the others begins.
+    fn new(plan: &'a Plan, observer: &'a dyn Observer, before: &Before<'_>) -> Self {
         let others = usize::from(plan.sweep.is_some()) + usize::from(plan.sampling_study);
-        let budget = Budget::from_now(plan.budget);
-        Self { plan, observer, budget, count: plan.scenes.len() + others, done: 0 }
+        let scenes = plan.scenes.iter().filter(|input| before.scene(input).is_some()).count();
+        let sweep = plan.sweep.as_ref().and_then(|own| before.sweep(own.mesh.name()));
+        let study = before.study().filter(|_| plan.sampling_study);
+        let done = scenes + usize::from(sweep.is_some()) + usize::from(study.is_some());
+        let spent = Duration::try_from_secs_f64(before.seconds()).unwrap_or_default();
+        let budget = Budget::from_now(plan.budget.map(|whole| whole.saturating_sub(spent)));
+        Self { plan, observer, budget, count: plan.scenes.len() + others, done }
     }
 
     /// Does the next part; `None` if the comparison is cancelled before it.
@@ -208,8 +208,9 @@ fn check_unique<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), CompareE
     Ok(())
 }
 
-/// The record of the run before it is done.
-fn describe(plan: &Plan) -> Run {
+/// How a plan is run, before it is: program, machine, options.
+#[must_use]
+pub fn describe(plan: &Plan) -> Run {
     Run {
         command: plan.command.clone(),
         date: jiff::Zoned::now().strftime("%Y-%m-%dT%H:%M:%S%:z").to_string(),
@@ -229,16 +230,4 @@ fn describe(plan: &Plan) -> Run {
         between_runs: plan.between_runs,
         ..build_of_program()
     }
-}
-
-fn general_notes() -> Vec<String> {
-    vec![
-        "Rays were replayed on one thread, in calls of 1024 as a renderer's waves send them."
-            .into(),
-        "The rays of a scene are the same whatever the budget. A structure that had no time for all \
-         of them in every round traced a random, stratified sample of blocks of consecutive rays, \
-         drawn anew for each round. Its times are estimates for all recorded rays, and their \
-         intervals include the choice of the blocks."
-            .into(),
-    ]
 }

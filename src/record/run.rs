@@ -31,6 +31,10 @@ pub struct Run {
     pub elapsed_seconds: f64,
     /// Whether it was stopped before its plan was done.
     pub partial: bool,
+    /// The parts of the plan that are done, by which it can be gone on with: names of scenes, `sweep KIND`,
+    /// `sampling study`. None in older records.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub done: Vec<String>,
     /// What was rendered and traced.
     pub options: Options,
     /// When each measurement was repeated often enough.

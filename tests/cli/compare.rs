@@ -2,6 +2,9 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
@@ -272,4 +275,76 @@ fn a_scene_whose_name_is_no_text_is_compared() {
     let record = json(&folder.path().join("out/report.json"));
     assert_eq!(record["scenes"][0]["name"], "caf\u{fffd}");
     assert!(folder.path().join("out/report.html").exists());
+}
+
+/// What was measured before SIGKILL stays as it was, to the digit; the rest is measured.
+#[test]
+fn a_comparison_that_was_killed_is_gone_on_with() {
+    let folder = folder();
+    let at = folder.path();
+    let more = SCENE.replace("end\n", "ball 0.5 3 3 3\nend\n");
+    assert_ne!(more, SCENE);
+    fs::write(at.join("other.sce"), &more).unwrap();
+    let line = |scenes: &[&'static str]| {
+        let options = [
+            "--budget",
+            "6",
+            "--rounds",
+            "2",
+            "--threads",
+            "2",
+            "--accel",
+            "none,bvh",
+            "--out",
+            "out",
+        ];
+        [&["compare"], scenes, &options[..], &["--resume", "--quiet"]].concat()
+    };
+    let both = line(&["scene.sce", "other.sce"]);
+    let report = at.join("out/report.json");
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("srt"));
+    let mut process = command.args(&both).current_dir(at).spawn().unwrap();
+    let deadline = Instant::now() + Duration::from_secs(60);
+    while !report.exists() {
+        assert!(Instant::now() < deadline && process.try_wait().unwrap().is_none());
+        sleep(Duration::from_millis(5));
+    }
+    process.kill().unwrap();
+    process.wait().unwrap();
+    let before = json(&report);
+    assert_eq!(
+        (&before["run"]["partial"], &before["run"]["done"][0]),
+        (&true.into(), &"scene".into())
+    );
+    assert_eq!(before["scenes"].as_array().unwrap().len(), 1);
+
+    good_run_in(at, &both);
+    let after = json(&report);
+    assert_eq!(after["run"]["partial"], false);
+    let names: Vec<_> = (0..2).map(|i| after["scenes"][i]["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["scene", "other"]);
+    assert_eq!(after["scenes"][0], before["scenes"][0]);
+    assert_eq!(after["run"]["date"], before["run"]["date"]);
+    let seconds = |record: &Value| record["run"]["elapsed_seconds"].as_f64().unwrap();
+    assert!(seconds(&after) > seconds(&before));
+    assert!(
+        after["notes"].to_string().contains("The comparison was stopped, and gone on with at ")
+    );
+    // The page has the pictures of both.
+    let page = fs::read_to_string(at.join("out/report.html")).unwrap();
+    assert!(!page.contains("is missing") && at.join("out/scene.png").exists());
+
+    // A scene that changed meanwhile is measured anew; the other stays.
+    fs::write(at.join("other.sce"), more.replace("ball 0.5", "ball 0.6")).unwrap();
+    good_run_in(at, &both);
+    let changed = json(&report);
+    assert_eq!(changed["scenes"][0], before["scenes"][0]);
+    assert_ne!(changed["scenes"][1]["hash"], after["scenes"][1]["hash"]);
+
+    let run = run_in(at, &line(&["scene.sce"]));
+    assert_eq!(run.code, 2);
+    let reason = "it was begun with another command: `srt compare scene.sce other.sce --budget 6 ";
+    assert!(run.stderr.contains(reason), "{}", run.stderr);
+    assert!(run.stderr.contains("; leave --resume out to begin anew"), "{}", run.stderr);
+    assert_eq!(json(&report), changed, "nothing is lost");
 }

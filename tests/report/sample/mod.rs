@@ -37,6 +37,7 @@ fn run() -> Run {
         budget_seconds: Some(180.0),
         elapsed_seconds: 171.8,
         partial: false,
+        done: vec!["bunny".to_owned()],
         options: Options {
             threads: 2,
             trace_threads: 1,
