@@ -46,7 +46,8 @@ fn answers(tracer: &dyn Tracer, rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
 
 /// The peers whose library is installed.
 fn peers() -> impl Iterator<Item = &'static Structure> {
-    let (three, four) = PEERS.split_at(2);
+    let own = PEERS.iter().filter(|peer| peer.name.starts_with("embree"));
+    let (three, four): (Vec<_>, Vec<_>) = own.partition(|peer| !peer.name.starts_with("embree4"));
     let is_there = |peer: &&Structure| match peer.try_build(&scene(""), &BuildConfig::default()) {
         Ok(_) => true,
         Err(error) => {
@@ -55,7 +56,7 @@ fn peers() -> impl Iterator<Item = &'static Structure> {
             false
         }
     };
-    three.iter().chain(four.iter().filter(is_there))
+    three.into_iter().chain(four.into_iter().filter(is_there))
 }
 
 /// Holds all ways of tracing against `bvh`.

@@ -11,6 +11,8 @@ mod embree;
 mod error;
 mod foreign;
 mod geometry_hash;
+#[cfg(feature = "libraries")]
+mod libraries;
 mod lights;
 mod mesh_rays;
 mod object;

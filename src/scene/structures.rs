@@ -15,6 +15,8 @@ use crate::shapes::TriangleSet;
 #[cfg(feature = "embree")]
 use super::embree::Embree;
 use super::foreign::{ForeignTracer, ForeignWorld};
+#[cfg(feature = "libraries")]
+use super::libraries::{ObvhsBvh2, ObvhsCwBvh, Parry, Svenstaro};
 use super::{BuildError, Scene, TracedWorld, World};
 
 /// A structure by name, with the options that were chosen for it.
@@ -286,6 +288,23 @@ pub static PEERS: &[Structure] = &[
     Structure::foreign::<Embree<true, true>>(
         "embree4x16",
         "Intel's Embree 4, in packets of 16 rays: a peer, for scenes of triangles",
+    ),
+    #[cfg(feature = "libraries")]
+    Structure::foreign::<ObvhsBvh2>(
+        "obvhs2",
+        "obvhs 0.4 as it is shipped, binary: a peer, for scenes of triangles",
+    ),
+    #[cfg(feature = "libraries")]
+    Structure::foreign::<ObvhsCwBvh>(
+        "obvhs8",
+        "obvhs 0.4 as it is shipped, compressed eight-wide: a peer, for scenes of triangles",
+    ),
+    #[cfg(feature = "libraries")]
+    Structure::foreign::<Parry>("parry", "parry3d 0.31: a peer, for scenes of triangles"),
+    #[cfg(feature = "libraries")]
+    Structure::foreign::<Svenstaro>(
+        "svenstaro",
+        "bvh 0.13 by svenstaro: a peer, for scenes of triangles",
     ),
 ];
 
