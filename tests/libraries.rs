@@ -38,7 +38,7 @@ fn rays(scene: &Scene) -> Vec<Ray> {
     let bounds = scene.bounds();
     let mut random = Random::new(&[7]);
     let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32()));
-    let mut through = |n: u32| {
+    let through = |n: u32| {
         let origin = Vec3::from(bounds.min) + point() * Vec3::from(bounds.size());
         let dir = 2.0 * point() - 1.0;
         if n.is_multiple_of(2) {
@@ -47,7 +47,7 @@ fn rays(scene: &Scene) -> Vec<Ray> {
             Ray::with_interval(origin, dir, 0.1, 0.8)
         }
     };
-    view.chain((0..40_003).map(|n| through(n))).collect()
+    view.chain((0..40_003).map(through)).collect()
 }
 
 fn answers(tracer: &dyn Tracer, rays: &[Ray]) -> (Vec<Hit>, Vec<bool>) {
