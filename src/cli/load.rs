@@ -7,7 +7,7 @@ use super::source::{self, SourceError};
 use super::terminal::{print_error, print_message};
 use super::{diagnose, terminal};
 use crate::assets::{LoadedMeshes, MeshData, available_memory, check_meshes, load_each_mesh};
-use crate::description::{SceneDescription, Shape};
+use crate::description::{MeshReference, SceneDescription, Shape};
 use crate::scene::Scene;
 use crate::scene_file::{
     Diagnostic, Invalid, ParseOptions, parse_to_meshes, render_diagnostics, summarize,
@@ -36,6 +36,8 @@ pub(crate) enum LoadError {
     Invalid {
         /// As typed.
         path: PathBuf,
+        /// The meshes that it names, as far as it can be read.
+        meshes: Vec<MeshReference>,
         /// All that is wrong with it, without a last line end.
         text: String,
         /// How much that is.
@@ -45,15 +47,21 @@ pub(crate) enum LoadError {
 
 /// Loads a scene with its meshes, on the threads of the current rayon pool.
 pub(crate) fn load(path: &Path, lenient: bool) -> Result<Loaded, LoadError> {
+    load_with(path, lenient, terminal::colors())
+}
+
+/// The same, with or without colours in what is said of it.
+pub(crate) fn load_with(path: &Path, lenient: bool, colors: bool) -> Result<Loaded, LoadError> {
     let source = source::read(path)?;
     match compile(&source, path, lenient) {
         Ok((description, scene, warnings)) => {
-            let warnings = text(&warnings, &source, path);
+            let warnings = text(&warnings, &source, path, colors);
             Ok(Loaded { text: source, description, scene, warnings })
         }
-        Err(diagnostics) => Err(LoadError::Invalid {
+        Err(Uncompiled { diagnostics, meshes }) => Err(LoadError::Invalid {
             path: path.to_owned(),
-            text: text(&diagnostics, &source, path),
+            meshes,
+            text: text(&diagnostics, &source, path, colors),
             summary: summarize(&diagnostics),
         }),
     }
@@ -67,19 +75,25 @@ pub(crate) fn print_load_error(error: &LoadError) {
     print_error(error);
 }
 
+/// All that is wrong with a scene, in the order of its text, and the meshes that it names.
+struct Uncompiled {
+    diagnostics: Vec<Diagnostic>,
+    meshes: Vec<MeshReference>,
+}
+
 /// The scene as written and as traced, and its warnings; or all that is wrong with it.
 fn compile(
     source: &str,
     path: &Path,
     lenient: bool,
-) -> Result<(SceneDescription, Scene, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<(SceneDescription, Scene, Vec<Diagnostic>), Uncompiled> {
     let folder = folder_of(path);
     let options = ParseOptions { lenient, memory: available_memory() };
     let parsed = parse_to_meshes(source, &options).map_err(|invalid| {
         let Invalid { mut diagnostics, meshes } = invalid;
         let errors = check_meshes(&meshes, folder);
         diagnostics.extend(errors.iter().map(|error| diagnose::mesh(error, &meshes)));
-        in_order(diagnostics)
+        Uncompiled { diagnostics: in_order(diagnostics), meshes }
     })?;
     let (mut description, mut diagnostics) = (parsed.description, parsed.warnings);
     let LoadedMeshes { meshes, errors } = load_each_mesh(&description.meshes, folder);
@@ -96,10 +110,10 @@ fn compile(
             diagnostics.extend(diagnose::eye_in_the_dark(&description));
             Ok((description, scene, in_order(diagnostics)))
         }
-        Ok(_) => Err(in_order(diagnostics)),
+        Ok(_) => Err(Uncompiled { diagnostics: in_order(diagnostics), meshes: description.meshes }),
         Err(errors) => {
             diagnostics.extend(errors.iter().map(|error| diagnose::scene(error, &description)));
-            Err(in_order(diagnostics))
+            Err(Uncompiled { diagnostics: in_order(diagnostics), meshes: description.meshes })
         }
     }
 }
@@ -117,7 +131,7 @@ fn leave_out_what_has_no_mesh(
 
 /// The folder that the scene's mesh paths are relative to: the working folder for a scene from
 /// standard input.
-fn folder_of(path: &Path) -> &Path {
+pub(crate) fn folder_of(path: &Path) -> &Path {
     path.parent().unwrap_or(Path::new(""))
 }
 
@@ -127,9 +141,9 @@ fn in_order(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     diagnostics
 }
 
-fn text(diagnostics: &[Diagnostic], text_of_scene: &str, path: &Path) -> String {
+fn text(diagnostics: &[Diagnostic], text_of_scene: &str, path: &Path, colors: bool) -> String {
     let name = source::name(path);
-    let mut text = render_diagnostics(diagnostics, text_of_scene, &name, terminal::colors());
+    let mut text = render_diagnostics(diagnostics, text_of_scene, &name, colors);
     text.truncate(text.trim_end().len());
     text
 }
