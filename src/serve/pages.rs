@@ -16,11 +16,17 @@ use super::socket;
 /// The longest message that a page sends: commands are a few dozen bytes.
 const LONGEST_MESSAGE: usize = 4096;
 
+const SCRIPT: &str = "text/javascript; charset=utf-8";
+
 /// The files of the page: their names behind the token, their types, their bytes.
-const FILES: [(&str, &str, &str); 3] = [
+const FILES: [(&str, &str, &str); 7] = [
     ("", "text/html; charset=utf-8", include_str!("page/view.html")),
     ("view.css", "text/css; charset=utf-8", include_str!("page/view.css")),
-    ("view.js", "text/javascript; charset=utf-8", include_str!("page/view.js")),
+    ("view.js", SCRIPT, include_str!("page/view.js")),
+    ("page.js", SCRIPT, include_str!("page/page.js")),
+    ("hands.js", SCRIPT, include_str!("page/hands.js")),
+    ("choices.js", SCRIPT, include_str!("page/choices.js")),
+    ("figures.js", SCRIPT, include_str!("page/figures.js")),
 ];
 
 /// The path of the WebSocket behind the token.
