@@ -49,6 +49,8 @@ pub(super) struct Lane {
     legend: Option<String>,
     /// Whether the film has more than what is shown.
     is_stale: bool,
+    /// The view samples that a sample of the film stands for: in a heatmap, all of a pixel's.
+    samples_in_one: u32,
     /// Seconds for a pixel of a coarse picture, and for a sample of a pixel of the film.
     coarse_cost: Option<f64>,
     sample_cost: Option<f64>,
@@ -68,6 +70,7 @@ impl Lane {
             shown: Arc::new(Pixels { serial: 0, width: 0, height: 0, rgba: Vec::new() }),
             legend: None,
             is_stale: false,
+            samples_in_one: 1,
             coarse_cost: None,
             sample_cost: None,
         }
@@ -114,6 +117,8 @@ impl Lane {
         self.first_stats = RenderStats::default();
         self.coarse = None;
         self.is_stale = false;
+        let counts_all = settings.view == View::Heatmap;
+        self.samples_in_one = if counts_all { settings.samples_per_pixel() } else { 1 };
         let divisor = divisor(self.coarse_cost, settings, lanes);
         if divisor == 1 {
             self.render(sight, pool, observer, &self.film.missing(1));
@@ -211,8 +216,8 @@ impl Lane {
             base: self.structure.base_name(),
             build_seconds: build.time.as_secs_f64(),
             bytes: build.objects.bytes + build.meshes.bytes + build.triangle_bytes,
-            samples: coverage.samples_per_pixel(),
-            all_samples: self.film.samples(),
+            samples: coverage.samples_per_pixel() * f64::from(self.samples_in_one),
+            all_samples: self.film.samples() * self.samples_in_one,
             complete: self.is_complete() && coverage.is_complete(),
             legend: self.legend.clone(),
             seconds: self.stats.time.as_secs_f64(),

@@ -1,6 +1,8 @@
 //! The thread of a session: what commands change, and what is rendered next.
 
 use std::collections::VecDeque;
+use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -75,22 +77,43 @@ impl Worker {
     /// Works until the session is over. Sleeps while there is nothing to do.
     pub(super) fn run(mut self) {
         loop {
-            let is_new = self.staged.is_none();
-            let has_work = is_new || self.lanes.iter().any(|lane| !lane.is_complete());
-            let Mail { commands, closed, arrivals } = self.inbox.take(has_work);
-            if closed {
-                return;
+            // A structure from outside the crate may panic: then another can be chosen.
+            match catch_unwind(AssertUnwindSafe(|| self.step())) {
+                Ok(ControlFlow::Continue(())) => {}
+                Ok(ControlFlow::Break(())) => return,
+                Err(_) => self.give_up(),
             }
-            let has_mail = !commands.is_empty();
-            let (is_other_scene, is_other_error) = self.follow();
-            let is_other_sight = self.obey(commands);
-            if is_other_scene || is_other_sight {
-                self.begin(arrivals);
-            } else if has_mail || is_other_error {
-                self.show(None);
-            }
-            self.refine(arrivals);
         }
+    }
+
+    /// Carries out what has arrived, and renders a slice; or waits for something to arrive.
+    fn step(&mut self) -> ControlFlow<()> {
+        let is_new = self.staged.is_none();
+        let has_work = is_new || self.lanes.iter().any(|lane| !lane.is_complete());
+        let Mail { commands, closed, arrivals } = self.inbox.take(has_work);
+        if closed {
+            return ControlFlow::Break(());
+        }
+        let has_mail = !commands.is_empty();
+        let (is_other_scene, is_other_error) = self.follow();
+        let is_other_sight = self.obey(commands);
+        if is_other_scene || is_other_sight {
+            self.begin(arrivals);
+        } else if has_mail || is_other_error {
+            self.show(None);
+        }
+        self.refine(arrivals);
+        ControlFlow::Continue(())
+    }
+
+    /// What is left after a panic: a scene that nothing traces.
+    fn give_up(&mut self) {
+        self.lanes.clear();
+        self.refusal = Some("a structure failed: the terminal says why. Choose another".to_owned());
+        if let (None, Some(staged)) = (&self.orbit, &self.staged) {
+            self.orbit = Some(Orbit::new(staged.show.camera.clone(), 1.0));
+        }
+        self.show(None);
     }
 
     /// Takes over what is on now: whether that is another scene, and whether another error.

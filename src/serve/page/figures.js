@@ -65,7 +65,7 @@ export function showFigures(update, threads) {
 
 function statusText() {
   if (report.busy !== null) return `${report.busy} …`;
-  if (report.lanes.length === 0) return 'no structure can trace this scene';
+  if (report.lanes.length === 0) return 'nothing is traced';
   const shape = `${report.width} × ${report.height}`;
   return report.complete ? `${shape}, finished` : `${shape}, refining`;
 }
@@ -87,7 +87,7 @@ export function sharpen() {
   $('stage').classList.toggle('sharp', scale >= 3);
 }
 
-const ALL = 'all rays, shading included';
+const ALL = 'all, with shading';
 
 function showBars(racing, threadCount) {
   const names = [...new Set(racing.flatMap((lane) => lane.classes.map((one) => one.name)))];
