@@ -2,9 +2,9 @@
 //! raced, and the scene is replaced when it was saved again.
 //!
 //! A [`Studio`] has what all lookers share: the scene, the structures over it, the threads. Each looker has a
-//! [`Session`] of its own, with a camera, a view and one or two structures. Commands go in as JSON, pictures and figures
-//! come out as bytes; the one that carries them is told when there are new ones, and takes the newest when it is ready,
-//! so that a slow one skips pictures and nothing piles up.
+//! [`Session`] of its own, with a camera, a view and one or two structures. Commands go in as JSON, pictures and
+//! figures come out as bytes; the one that carries them is told when there are new ones, and takes the newest when it
+//! is ready, so that a slow one skips pictures and nothing piles up.
 //!
 //! | file | what |
 //! |---|---|
@@ -16,7 +16,8 @@
 //! | `orbit.rs` | the camera, moved about the point that is looked at |
 //! | `command.rs`, `update.rs`, `greeting.rs` | the messages |
 //!
-//! A finished picture is that of a rendering in one go, bit for bit: it comes from the same [`Film`](crate::film::Film).
+//! A finished picture is that of a rendering in one go, bit for bit: it comes from the same
+//! [`Film`](crate::film::Film).
 //!
 //! Knows neither sockets, files nor the terminal.
 

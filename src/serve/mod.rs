@@ -1,8 +1,8 @@
 //! The page on which a scene is looked at: HTTP and WebSocket on one address of this machine.
 //!
-//! The page, its style and its script are part of the program; no request reads a file. Each request must name the token
-//! that is part of the address, and a host that nobody else's name can stand for (`guard.rs`). A page opens a WebSocket,
-//! whose messages are those of a [`Session`](crate::live::Session) (`socket.rs`).
+//! The page, its style and its script are part of the program; no request reads a file. Each request must name the
+//! token that is part of the address, and a host that nobody else's name can stand for (`guard.rs`). A page opens a
+//! WebSocket, whose messages are those of a [`Session`](crate::live::Session) (`socket.rs`).
 //!
 //! One thread serves all: it waits for sockets, and other threads render.
 //!

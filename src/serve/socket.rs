@@ -1,7 +1,7 @@
 //! A WebSocket and the session behind it: commands in, updates out.
 //!
-//! A page says `drawn` when it has shown an update, and gets the next one then: the newest, so that a page that is slow, or
-//! far away, skips pictures, and none wait in between.
+//! A page says `drawn` when it has shown an update, and gets the next one then: the newest, so that a page that is
+//! slow, or far away, skips pictures, and none wait in between.
 
 use std::sync::Arc;
 
