@@ -52,11 +52,12 @@ pub(super) fn fill_missing(
     let columns: Vec<usize> =
         (0..pixels.width).map(|x| place(x, pixels.width, coarse.width)).collect();
     for area in missing {
+        let within = area.x0 as usize..area.x1 as usize;
         for y in area.y0..area.y1 {
             let row = place(y, pixels.height, coarse.height) * coarse.width as usize;
             let first = y as usize * pixels.width as usize;
-            for x in area.x0 as usize..area.x1 as usize {
-                let (from, to) = (4 * (row + columns[x]), 4 * (first + x));
+            for (x, column) in within.clone().zip(&columns[within.clone()]) {
+                let (from, to) = (4 * (row + column), 4 * (first + x));
                 pixels.rgba[to..to + 4].copy_from_slice(&coarse.rgba[from..from + 4]);
             }
         }
