@@ -162,6 +162,21 @@ fn a_finished_picture_is_that_of_a_rendering_in_one_go() {
 }
 
 #[test]
+fn heatmaps_that_race_have_one_scale() {
+    let mut looker = Looker::new(&studio(&library()));
+    looker.tell(r#"{"view": "heatmap"}"#);
+    looker.finished();
+    let alone = looker.pictures[0].clone();
+    looker.tell(r#"{"structures": ["bvh8", "none"]}"#);
+    let report = looker.finished();
+    let [a, b] = [0, 1].map(|i| report["lanes"][i]["legend"].as_str().unwrap());
+    assert!(a == b && a.ends_with("in steps of equal factors"), "{a}\n{b}");
+    looker.tell(r#"{"structures": ["bvh8"]}"#);
+    looker.finished();
+    assert!(looker.pictures[0] == alone, "and alone their own");
+}
+
+#[test]
 fn what_was_seen_is_not_sent_again() {
     let mut looker = Looker::new(&studio(&library()));
     looker.finished();

@@ -56,6 +56,11 @@ pub(super) fn run(arguments: ViewArguments, structures: &Structures) -> CommandR
             "open the address in a browser to look at {}; Ctrl-C ends it",
             source::quoted(&work.scene)
         ));
+        if listen.is_unspecified() {
+            print_message(
+                "on other machines, the address of this one stands in place of the first part",
+            );
+        }
     }
     let watched = Arc::clone(&studio);
     let watcher = thread::Builder::new().name("watcher".to_owned());

@@ -9,8 +9,8 @@ use rayon::ThreadPool;
 use crate::film::{Film, Piece, doubling_passes};
 use crate::image_io::{Format, rgba_bytes};
 use crate::render::{
-    Image, Kept, Observer, RayClass, RenderStats, Renderer, Settings, Stage, View, legend,
-    picture_for,
+    Image, Kept, Observer, RayClass, RenderStats, Renderer, Scale, Settings, Stage, View,
+    heat_picture, legend, picture_for,
 };
 use crate::scene::{Camera, Structure};
 
@@ -91,6 +91,11 @@ impl Lane {
         self.is_stale
     }
 
+    /// Whether the film has anything.
+    pub(super) fn has_samples(&self) -> bool {
+        self.film.coverage().samples > 0
+    }
+
     /// The time that the picture took so far.
     pub(super) fn time(&self) -> Duration {
         self.stats.time
@@ -122,14 +127,14 @@ impl Lane {
         let divisor = divisor(self.coarse_cost, settings, lanes);
         if divisor == 1 {
             self.render(sight, pool, observer, &self.film.missing(1));
-            self.expose(sight, serial);
+            self.expose(sight, None, serial);
             return;
         }
         let settings = coarse(settings, divisor);
         let film = Film::new(settings.region(), settings.film_samples());
         let stats = trace(&self.world, sight, &settings, pool, observer, &film, &film.missing(1));
         self.coarse_cost = cost(&stats, film.coverage().samples).or(self.coarse_cost);
-        let (pixels, legend) = pixels_of(&film, settings.view, serial);
+        let (pixels, legend) = pixels_of(&film, settings.view, None, serial);
         let pixels = Arc::new(pixels);
         (self.shown, self.legend) = (Arc::clone(&pixels), legend);
         self.coarse = Some(pixels);
@@ -183,9 +188,17 @@ impl Lane {
         }
     }
 
-    /// Shows what the film has.
-    pub(super) fn expose(&mut self, sight: &Sight, serial: u64) {
-        let (mut pixels, legend) = pixels_of(&self.film, sight.settings.view, serial);
+    /// The ends of the scale of what the film has; none if that is colours, or nothing.
+    pub(super) fn scale(&self, view: View) -> Option<Scale> {
+        match Image::of(&self.film, view) {
+            Image::Scalar { values, .. } => Scale::of(&values),
+            Image::Color(_) => None,
+        }
+    }
+
+    /// Shows what the film has; numbers on a scale, or on their own if there is none.
+    pub(super) fn expose(&mut self, sight: &Sight, scale: Option<Scale>, serial: u64) {
+        let (mut pixels, legend) = pixels_of(&self.film, sight.settings.view, scale, serial);
         if let Some(coarse) = &self.coarse {
             let missing = self.film.missing(1);
             if missing.is_empty() {
@@ -264,9 +277,19 @@ fn cost(stats: &RenderStats, rendered: u64) -> Option<f64> {
     (rendered > 0).then(|| stats.time.as_secs_f64() / rendered as f64)
 }
 
-/// What a film shows, as a file of bytes would have it, and what its colours mean.
-fn pixels_of(film: &Film, view: View, serial: u64) -> (Pixels, Option<String>) {
-    let (picture, scale) = picture_for(Image::of(film, view), view, Format::Png);
+/// What a film shows, as a file of bytes would have it, and what its colours mean; numbers on a scale, or on their own.
+fn pixels_of(
+    film: &Film,
+    view: View,
+    scale: Option<Scale>,
+    serial: u64,
+) -> (Pixels, Option<String>) {
+    let (picture, scale) = match (Image::of(film, view), scale) {
+        (Image::Scalar { width, height, values }, Some(scale)) => {
+            (heat_picture(width, height, &values, scale), Some(scale))
+        }
+        (image, _) => picture_for(image, view, Format::Png),
+    };
     let (width, height) = (picture.width, picture.height);
     let pixels = Pixels { serial, width, height, rgba: rgba_bytes(&picture) };
     (pixels, scale.map(|scale| legend(view, scale)))

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use crate::accel::{Answers, Scratch};
 use crate::math::Hit;
-use crate::render::{Observer, Settings, View};
+use crate::render::{Observer, Scale, Settings, View};
 use crate::scene::{Camera, Structure};
 
 use super::Studio;
@@ -258,9 +258,12 @@ impl Worker {
     fn expose(&mut self) {
         let Some(sight) = &self.sight else { return };
         let start = Instant::now();
-        for lane in self.lanes.iter_mut().filter(|lane| lane.is_stale()) {
+        let scale = shared_scale(&self.lanes, self.view);
+        let has_pixels =
+            |lane: &&mut Lane| lane.is_stale() || scale.is_some() && lane.has_samples();
+        for lane in self.lanes.iter_mut().filter(has_pixels) {
             self.serial += 1;
-            lane.expose(sight, self.serial);
+            lane.expose(sight, scale, self.serial);
         }
         self.show(None);
         let took = start.elapsed();
@@ -310,6 +313,15 @@ impl Observer for Watch<'_> {
         let is_patient = self.patience.is_some_and(|end| Instant::now() < end);
         !is_patient || self.inbox.is_closed()
     }
+}
+
+/// One scale for the heatmaps of structures that race, in steps of equal factors: they may differ by thousands.
+fn shared_scale(lanes: &[Lane], view: View) -> Option<Scale> {
+    if lanes.len() < 2 || view != View::Heatmap {
+        return None;
+    }
+    let both = |a: Scale, b: Scale| Scale { low: a.low.min(b.low), high: a.high.max(b.high), ..a };
+    lanes.iter().filter_map(|lane| lane.scale(view)).reduce(both).map(Scale::logarithmic)
 }
 
 /// The structure of a name with options.

@@ -40,8 +40,9 @@ pub fn legend(view: View, scale: Scale) -> String {
             four_figures(high),
         ),
         _ => format!(
-            "{}: black is {low} and pale yellow {high} tests of boxes and primitives a pixel",
+            "{}: black is {low} and pale yellow {high} tests of boxes and primitives a pixel{}",
             view.name(),
+            if scale.spacing == Spacing::Logarithmic { ", in steps of equal factors" } else { "" },
         ),
     }
 }
@@ -92,6 +93,16 @@ mod tests {
         let start =
             "depth: black is 3.500 of the scene's units away, the middle of the scale 7.000";
         assert!(legend.starts_with(start), "{legend}");
+    }
+
+    #[test]
+    fn a_legend_says_how_a_heatmap_is_spaced() {
+        let scale = Scale { low: 4.0, high: 900.0, spacing: Spacing::Linear };
+        let linear =
+            "heatmap: black is 4 and pale yellow 900 tests of boxes and primitives a pixel";
+        assert_eq!(legend(View::Heatmap, scale), linear);
+        let logarithmic = legend(View::Heatmap, scale.logarithmic());
+        assert_eq!(logarithmic, format!("{linear}, in steps of equal factors"));
     }
 
     #[test]

@@ -45,9 +45,8 @@ export function showFigures(update, threads) {
   lanes[1].figure.hidden = racing.length < 2;
   const legends = racing.map((lane) => lane.legend).filter((legend) => legend !== null);
   $('legend').hidden = legends.length === 0;
-  $('legend').textContent = racing.length > 1 && legends.length > 1
-    ? racing.map((lane) => `${lane.structure}: ${lane.legend}`).join(' · ')
-    : legends.join('');
+  // Coarse pictures have scales of their own, for a moment.
+  $('legend').textContent = legends[0] ?? '';
   racing.forEach((lane, i) => {
     const { caption, canvas } = lanes[i];
     canvas.setAttribute('aria-label', `${report.scene}, ${report.view}, traced with ${lane.structure}`);
