@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use serde_json::json;
 
-use crate::support::{Server, folder};
+use crate::support::{Server, folder, has_picture};
 
 /// Hours of work.
 const SLOW: [&str; 8] = ["--size", "1200x900", "--aa", "16", "--accel", "none", "--threads", "1"];
@@ -52,6 +52,27 @@ fn nothing_is_rendered_that_nobody_looks_at() {
     assert!(server.processor_seconds() - before > 0.1, "it works for the one who looks");
     drop(second);
     wait_until_idle(&server);
+}
+
+#[test]
+fn a_movement_stops_the_pass_under_way() {
+    let folder = folder();
+    let server = Server::start(folder.path(), &SLOW);
+    let mut page = server.look();
+    page.until("a first look", has_picture);
+    let mut before = page.pictures[0].clone();
+    // A pass takes minutes; each of these is answered by a coarse picture.
+    for _ in 0..3 {
+        page.tell(json!({"turn": [0.1, 0.05]}));
+        let report = page.until("moved", has_picture);
+        assert_eq!(
+            (&report["complete"], &report["lanes"][0]["samples"]),
+            (&json!(false), &json!(0.0))
+        );
+        assert!(report["lanes"][0]["picture_width"].as_u64() < Some(1200), "{report}");
+        assert!(page.pictures[0] != before);
+        before = page.pictures[0].clone();
+    }
 }
 
 #[test]

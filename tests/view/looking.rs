@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::json;
 
-use crate::support::{SCENE, Server, folder, rendered};
+use crate::support::{SCENE, Server, folder, has_picture, rendered};
 
 #[test]
 fn the_finished_picture_is_that_of_the_file() {
@@ -12,7 +12,7 @@ fn the_finished_picture_is_that_of_the_file() {
     let file = rendered(folder.path(), "scene.sce", &[]);
     let server = Server::start(folder.path(), &[]);
     let mut page = server.look();
-    let first = page.until("a picture", |report| report["lanes"][0]["picture_bytes"] != 0);
+    let first = page.until("a picture", has_picture);
     assert_eq!((first["width"].as_u64(), first["height"].as_u64()), (Some(40), Some(30)));
     assert!(page.finished() == file);
     for structure in ["none", "cwbvh", "kdtree", "bvh8:leaf=4,builder=sweep"] {

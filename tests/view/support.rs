@@ -150,6 +150,11 @@ pub(crate) struct Answer {
     pub(crate) body: String,
 }
 
+/// Whether an update has a picture of the first structure.
+pub(crate) fn has_picture(report: &Value) -> bool {
+    report["lanes"][0]["picture_bytes"].as_u64().is_some_and(|bytes| bytes > 0)
+}
+
 /// A page that looks, and what it shows.
 pub(crate) struct Page {
     pub(crate) socket: WebSocket<TcpStream>,

@@ -59,6 +59,9 @@ function sendMoves() {
   timer = setTimeout(goOn, PATIENCE);
 }
 
+// Browsers keep `pointermove` back until the next frame; some have an event that comes at once.
+const POINTER_MOVED = 'onpointerrawupdate' in window ? 'pointerrawupdate' : 'pointermove';
+
 for (const { canvas } of lanes) {
   const pointers = new Map();
   const middle = () => {
@@ -73,7 +76,7 @@ for (const { canvas } of lanes) {
     canvas.classList.add('held');
     pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
   });
-  canvas.addEventListener('pointermove', (event) => {
+  canvas.addEventListener(POINTER_MOVED, (event) => {
     if (!pointers.has(event.pointerId)) return;
     const before = middle();
     pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
