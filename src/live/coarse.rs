@@ -8,7 +8,7 @@ use crate::render::{Settings, View};
 use super::update::Pixels;
 
 /// Rendering the coarse pictures of all structures may take this long: with the way to the screen it is still at once.
-const AT_ONCE: Duration = Duration::from_millis(25);
+const AT_ONCE: Duration = Duration::from_millis(20);
 
 /// How many times fewer columns and rows a coarse picture may have.
 const DIVISORS: [u32; 10] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32];
@@ -89,8 +89,8 @@ mod tests {
         let color = settings(View::Color);
         let of = |cost, lanes| divisor(cost, &color, lanes);
         assert_eq!((of(None, 1), of(Some(1e-9), 1), of(Some(1.0), 1)), (8, 1, 32));
-        // 57,920 pixels of half the size take 23 ms.
-        assert_eq!((of(Some(4e-7), 1), of(Some(4e-7), 2)), (2, 3));
+        // 57,920 pixels of half the size take 17 ms.
+        assert_eq!((of(Some(3e-7), 1), of(Some(3e-7), 2)), (2, 3));
         assert_eq!(divisor(Some(1e-9), &settings(View::Heatmap), 1), 2);
         let coarse = coarse(&color, 2);
         assert_eq!((coarse.width, coarse.height, coarse.aa), (320, 181, 0));

@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use super::CommandError;
 use super::command::Numbered;
@@ -25,6 +26,12 @@ struct Contents {
     /// The studio has another scene, or an error.
     has_news: bool,
     closed: bool,
+}
+
+impl Contents {
+    fn is_empty(&mut self) -> bool {
+        self.commands.is_empty() && !self.has_news && !self.closed
+    }
 }
 
 /// What was in an inbox.
@@ -66,11 +73,8 @@ impl Inbox {
     /// Takes all that is there; waits for something if there is no other work.
     pub(super) fn take(&self, has_work: bool) -> Mail {
         let mut contents = self.lock();
-        let is_empty = |contents: &mut Contents| {
-            contents.commands.is_empty() && !contents.has_news && !contents.closed
-        };
         if !has_work {
-            let waited = self.filled.wait_while(contents, is_empty);
+            let waited = self.filled.wait_while(contents, Contents::is_empty);
             contents = waited.unwrap_or_else(PoisonError::into_inner);
         }
         contents.has_news = false;
@@ -79,6 +83,11 @@ impl Inbox {
             closed: contents.closed,
             arrivals: self.arrivals.load(Ordering::Relaxed),
         }
+    }
+
+    /// Waits for a time, or until something is there.
+    pub(super) fn rest(&self, time: Duration) {
+        drop(self.filled.wait_timeout_while(self.lock(), time, Contents::is_empty));
     }
 
     /// How many times something has arrived. Changes only after what arrived is there.

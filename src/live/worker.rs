@@ -25,6 +25,9 @@ use super::worlds::BuiltWorld;
 const BETWEEN_PICTURES: Duration = Duration::from_millis(150);
 const TIMES_SHOWING: u32 = 8;
 
+/// After the first picture of a movement the threads rest for so long: a browser on the same processors draws it then.
+const REST: Duration = Duration::from_millis(16);
+
 /// The picture after a movement is finished in spite of the next movement, or fast hands would never see one; but one
 /// that takes longer than this is not worth that.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -234,8 +237,9 @@ impl Worker {
             lane.begin(&sight, &self.studio.pool, &watch, count, self.serial);
         }
         self.sight = Some(sight);
-        self.next_picture = Instant::now() + BETWEEN_PICTURES;
         self.show(None);
+        self.inbox.rest(REST);
+        self.next_picture = Instant::now() + BETWEEN_PICTURES;
     }
 
     /// Renders a slice of the picture that took the least time so far, so that structures race for equal times.

@@ -20,7 +20,8 @@ const size = (bytes) => {
 const samples = (lane) => {
   if (lane.complete) return lane.all_samples === 1 ? '1' : `all ${lane.all_samples}`;
   if (lane.samples === 0) return 'a first look';
-  return `${lane.samples.toFixed(lane.samples < 10 ? 1 : 0)} of ${lane.all_samples}`;
+  const digits = [1, 10].filter((end) => lane.samples < end).length;
+  return `${lane.samples.toFixed(digits)} of ${lane.all_samples}`;
 };
 
 /** Shows all of an update but its pictures. */
@@ -87,6 +88,8 @@ export function sharpen() {
 }
 
 const ALL = 'all, with shading';
+/** The shortest bar, as a part of a full one: what is thousands of times slower is still there. */
+const LEAST_BAR = 0.006;
 
 function showBars(racing, threadCount) {
   const names = [...new Set(racing.flatMap((lane) => lane.classes.map((one) => one.name)))];
@@ -125,7 +128,7 @@ function showRow(row, name, rates, most) {
   }
   rates.forEach((perSecond, lane) => {
     const bar = row.children[1 + lane];
-    bar.querySelector('.fill').style.transform = `scaleX(${(perSecond ?? 0) / most})`;
+    bar.querySelector('.fill').style.transform = `scaleX(${perSecond ? Math.max(perSecond / most, LEAST_BAR) : 0})`;
     bar.querySelector('output').textContent = rate(perSecond);
   });
 }
