@@ -86,6 +86,8 @@ pub mod film;
 #[cfg(feature = "program")]
 pub mod image_io;
 #[cfg(feature = "program")]
+pub mod live;
+#[cfg(feature = "program")]
 pub mod pack;
 #[cfg(feature = "program")]
 pub mod part_file;
@@ -103,6 +105,8 @@ pub mod scene;
 pub mod scene_file;
 #[cfg(feature = "program")]
 mod sealed;
+#[cfg(feature = "program")]
+pub mod serve;
 
 #[cfg(any(doc, doctest))]
 #[doc = include_str!("../docs/library.md")]

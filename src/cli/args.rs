@@ -12,6 +12,7 @@ use super::part_args::{AssembleArguments, PartArguments};
 use super::rays_args::RaysArguments;
 use super::render_args::RenderArguments;
 use super::values;
+use super::view_args::ViewArguments;
 use crate::assets::generate::MeshKind;
 
 const EXAMPLES: &str = "\
@@ -24,6 +25,7 @@ Examples:
   sed 's/^nx .*/nx 99/' scene.sce | srt - a.png    read from a pipe
   srt scene.sce picture.png --progressive --time 30s
   srt scene.sce picture.png --checkpoint scene.srtc --resume
+  srt view scene.sce                               look at it in a browser while editing it
   srt part scene.sce --part 3/7 -o part-3.srtp     one of seven machines' parts
   srt assemble part-*.srtp -o picture.png          the same picture
   srt compare scenes/hall.sce                      how fast each structure is, as a report
@@ -62,6 +64,8 @@ pub(crate) struct Arguments {
 /// The subcommands.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// Look at a scene in a browser: move the camera, exchange structures, edit the scene
+    View(ViewArguments),
     /// Render a part of a picture, for another machine to put together
     Part(PartArguments),
     /// Put the parts of a picture together

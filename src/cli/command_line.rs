@@ -15,6 +15,10 @@ pub(crate) fn command(structures: &Structures) -> Command {
     let list = |arg: Arg| structures.explained_in(arg.value_parser(structures.list_parser()));
     Arguments::command()
         .mut_arg("accel", one)
+        // A view is of the whole picture.
+        .mut_subcommand("view", |view| {
+            view.mut_arg("accel", one).mut_arg("crop", |crop| crop.hide(true))
+        })
         .mut_subcommand("part", |part| part.mut_arg("accel", one))
         .mut_subcommand("compare", |compare| compare.mut_arg("accel", list))
         .mut_subcommand("conformance", |check| check.mut_arg("accel", list))

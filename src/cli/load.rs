@@ -9,7 +9,7 @@ use super::{diagnose, terminal};
 use crate::assets::{
     LoadedMeshes, MeshData, MeshFiles, available_memory, check_meshes, load_each_mesh,
 };
-use crate::description::{SceneDescription, Shape};
+use crate::description::{MeshReference, SceneDescription, Shape};
 use crate::scene::Scene;
 use crate::scene_file::{
     Diagnostic, Invalid, ParseOptions, parse_to_meshes, render_diagnostics, summarize,
@@ -38,6 +38,8 @@ pub(crate) enum LoadError {
     Invalid {
         /// As typed.
         path: PathBuf,
+        /// The meshes that it names, as far as it can be read.
+        meshes: Vec<MeshReference>,
         /// All that is wrong with it, without a last line end.
         text: String,
         /// How much that is.
@@ -47,7 +49,12 @@ pub(crate) enum LoadError {
 
 /// Loads a scene with its meshes, on the threads of the current rayon pool.
 pub(crate) fn load(path: &Path, lenient: bool) -> Result<Loaded, LoadError> {
-    load_source(&source::read(path)?, path, lenient)
+    load_with(path, lenient, terminal::colors())
+}
+
+/// The same, with or without colours in what is said of it.
+pub(crate) fn load_with(path: &Path, lenient: bool, colors: bool) -> Result<Loaded, LoadError> {
+    load_source(&source::read(path)?, path, lenient, colors)
 }
 
 /// The same with what was read from the path.
@@ -55,16 +62,18 @@ pub(crate) fn load_source(
     source: &Source,
     path: &Path,
     lenient: bool,
+    colors: bool,
 ) -> Result<Loaded, LoadError> {
     let written = source.text();
     match compile(&written, source.files(), lenient) {
         Ok((description, scene, warnings)) => {
-            let warnings = text(&warnings, &written, source);
+            let warnings = text(&warnings, &written, source, colors);
             Ok(Loaded { text: written.into_owned(), description, scene, warnings })
         }
-        Err(diagnostics) => Err(LoadError::Invalid {
+        Err(Uncompiled { diagnostics, meshes }) => Err(LoadError::Invalid {
             path: path.to_owned(),
-            text: text(&diagnostics, &written, source),
+            meshes,
+            text: text(&diagnostics, &written, source, colors),
             summary: summarize(&diagnostics),
         }),
     }
@@ -78,18 +87,24 @@ pub(crate) fn print_load_error(error: &LoadError) {
     print_error(error);
 }
 
+/// All that is wrong with a scene, in the order of its text, and the meshes that it names.
+struct Uncompiled {
+    diagnostics: Vec<Diagnostic>,
+    meshes: Vec<MeshReference>,
+}
+
 /// The scene as written and as traced, and its warnings; or all that is wrong with it.
 fn compile(
     source: &str,
     files: MeshFiles<'_>,
     lenient: bool,
-) -> Result<(SceneDescription, Scene, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<(SceneDescription, Scene, Vec<Diagnostic>), Uncompiled> {
     let options = ParseOptions { lenient, memory: available_memory() };
     let parsed = parse_to_meshes(source, &options).map_err(|invalid| {
         let Invalid { mut diagnostics, meshes } = invalid;
         let errors = check_meshes(&meshes, files);
         diagnostics.extend(errors.iter().map(|error| diagnose::mesh(error, &meshes)));
-        in_order(diagnostics)
+        Uncompiled { diagnostics: in_order(diagnostics), meshes }
     })?;
     let (mut description, mut diagnostics) = (parsed.description, parsed.warnings);
     let LoadedMeshes { meshes, errors } = load_each_mesh(&description.meshes, files);
@@ -106,10 +121,10 @@ fn compile(
             diagnostics.extend(diagnose::eye_in_the_dark(&description));
             Ok((description, scene, in_order(diagnostics)))
         }
-        Ok(_) => Err(in_order(diagnostics)),
+        Ok(_) => Err(Uncompiled { diagnostics: in_order(diagnostics), meshes: description.meshes }),
         Err(errors) => {
             diagnostics.extend(errors.iter().map(|error| diagnose::scene(error, &description)));
-            Err(in_order(diagnostics))
+            Err(Uncompiled { diagnostics: in_order(diagnostics), meshes: description.meshes })
         }
     }
 }
@@ -131,9 +146,9 @@ fn in_order(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     diagnostics
 }
 
-fn text(diagnostics: &[Diagnostic], text_of_scene: &str, source: &Source) -> String {
+fn text(diagnostics: &[Diagnostic], text_of_scene: &str, source: &Source, colors: bool) -> String {
     let name = source.name();
-    let mut text = render_diagnostics(diagnostics, text_of_scene, &name, terminal::colors());
+    let mut text = render_diagnostics(diagnostics, text_of_scene, &name, colors);
     text.truncate(text.trim_end().len());
     text
 }

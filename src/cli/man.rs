@@ -86,6 +86,7 @@ mod tests {
         let names: Vec<&str> = pages.iter().map(|(name, _)| name.as_str()).collect();
         let expected = [
             "srt.1",
+            "srt-view.1",
             "srt-part.1",
             "srt-assemble.1",
             "srt-pack.1",

@@ -13,6 +13,7 @@
 //! | `command_line.rs` | the definition with the structures of this program; what was typed |
 //! | `work.rs`, `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
 //! | `refine.rs`, `checkpoint.rs`, `origin.rs` | a rendering in passes, saved and gone on with; what it is of |
+//! | `view.rs`, `view_args.rs`, `watch.rs` | the live page, and the files that it follows |
 //! | `part.rs`, `assemble.rs`, `pack.rs` | the subcommands for many machines |
 //! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `rays.rs` | the subcommands |
 //! | `check.rs`, `diff.rs`, `mesh.rs`, `accels.rs` | smaller ones |
@@ -23,7 +24,7 @@
 //! | `terminal.rs`, `interrupt.rs`, `progress.rs`, `compare_progress.rs` | the terminal |
 //! | `load.rs`, `source.rs` | a scene from its file, or from a pack |
 //! | `diagnose.rs`, `inventory.rs` | what is wrong with a scene; what is in it |
-//! | `image.rs`, `picture.rs` | what was rendered → the picture that is written |
+//! | `picture.rs` | what was rendered → the file of the picture |
 //! | `figures.rs`, `summary.rs` | the figures of a rendering, and their text |
 //! | `exit.rs` | how the command ends |
 
@@ -46,7 +47,6 @@ mod diff;
 mod exit;
 mod figures;
 mod fingerprint;
-mod image;
 mod interrupt;
 mod inventory;
 mod load;
@@ -74,6 +74,9 @@ mod structures;
 mod summary;
 mod terminal;
 mod values;
+mod view;
+mod view_args;
+mod watch;
 mod work;
 mod work_args;
 
@@ -117,6 +120,7 @@ fn dispatch(structures: &Structures) -> CommandResult {
     let interrupt = Interrupt::install().map_err(Failure::new)?;
     match arguments.command {
         None => render::run(arguments.render, &interrupt),
+        Some(Command::View(view)) => view::run(view, structures),
         Some(Command::Part(part)) => part::run(part, &interrupt),
         Some(Command::Assemble(assemble)) => assemble::run(&assemble),
         Some(Command::Pack(pack)) => pack::run(&pack),

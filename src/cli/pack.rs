@@ -13,7 +13,7 @@ use super::fingerprint;
 use super::load::{load_source, print_load_error};
 use super::output::Output;
 use super::source::{self, Source, folder_of, is_stdin};
-use super::terminal::print_message;
+use super::terminal::{self, print_message};
 use super::work::same_file;
 use crate::pack::{Located, Pack, locate};
 use crate::report::numbers;
@@ -33,7 +33,7 @@ pub(super) fn run(arguments: &PackArguments) -> CommandResult {
         return Err(Failure::new(format_args!("the pack would replace the scene `{path}`")));
     }
     let source = source::read(path).map_err(Failure::new)?;
-    let loaded = match load_source(&source, path, *lenient) {
+    let loaded = match load_source(&source, path, *lenient, terminal::colors()) {
         Ok(loaded) => loaded,
         Err(error) => {
             print_load_error(&error);

@@ -4,12 +4,11 @@ use std::path::Path;
 
 use super::clipping::ClippingWarning;
 use super::exit::Failure;
-use super::image;
 use super::output::{Output, prepare_picture};
 use super::render_args::PictureArguments;
 use super::terminal::{print_message, print_warning};
 use crate::image_io::{Format, Tone, encode};
-use crate::render::{Image, Scale, View};
+use crate::render::{Image, Scale, View, legend, picture_for};
 
 /// Where a picture goes, and how its light is fitted into it.
 #[derive(Debug)]
@@ -63,7 +62,7 @@ impl PictureTarget {
 
     /// Writes the picture.
     pub(crate) fn write(&self, image: Image, view: View) -> Result<Remarks, Failure> {
-        let (mut picture, scale) = image::picture(image, view, self.format);
+        let (mut picture, scale) = picture_for(image, view, self.format);
         let clipping = ClippingWarning::of(&picture, self.tone, self.format);
         let clipping = clipping.filter(|_| view == View::Color);
         self.tone.apply(&mut picture);
@@ -80,7 +79,7 @@ impl Remarks {
             print_warning(clipping);
         }
         if let Some(scale) = self.scale {
-            print_message(image::legend(self.view, scale));
+            print_message(legend(self.view, scale));
         }
     }
 }

@@ -18,4 +18,5 @@ pub use difference::{Difference, SizeMismatch, compare, difference_picture};
 pub use encode::{EncodeError, encode};
 pub use format::{Format, UnknownFormat};
 pub use picture::{Picture, WrongLength};
+pub use quantize::rgba_bytes;
 pub use tone::{Tone, ToneCurve};

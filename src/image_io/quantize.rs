@@ -2,6 +2,8 @@
 
 use crate::math::Color;
 
+use super::Picture;
+
 /// ⌊255·c⌋ with c clamped to [0, 1]; NaN gives 0.
 pub(super) fn byte(c: f32) -> u8 {
     // The conversion cuts the fraction off, and takes NaN to 0.
@@ -11,6 +13,26 @@ pub(super) fn byte(c: f32) -> u8 {
 /// The channels of a colour as bytes.
 pub(super) fn bytes(color: Color) -> [u8; 3] {
     color.to_array().map(byte)
+}
+
+/// The bytes that a picture has in a file of bytes, with those of an opaque alpha: red, green, blue and 255 for each
+/// pixel, row by row from the top left, as screens take them.
+///
+/// ```
+/// use srt::image_io::{Picture, rgba_bytes};
+/// use srt::math::Color;
+///
+/// let picture = Picture::from_pixels(1, 1, vec![Color::new(2.0, 0.5, f32::NAN)])?;
+/// assert_eq!(rgba_bytes(&picture), [255, 127, 0, 255]);
+/// # Ok::<(), srt::image_io::WrongLength>(())
+/// ```
+#[must_use]
+pub fn rgba_bytes(picture: &Picture) -> Vec<u8> {
+    let rgba = |&color: &Color| {
+        let [r, g, b] = bytes(color);
+        [r, g, b, u8::MAX]
+    };
+    picture.pixels.iter().flat_map(rgba).collect()
 }
 
 /// The value that a byte represents: b/255, such that [`byte`] gives the byte back.

@@ -1,7 +1,7 @@
 //! What all threads of a rendering share: the scene, the settings, and what is computed from both
 //! before the first ray. It does not change while they render.
 
-use crate::scene::{Scene, Surface};
+use crate::scene::{Camera, Scene, Surface};
 
 use super::Settings;
 use super::light_samples::LightSamples;
@@ -20,8 +20,8 @@ pub(super) struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    pub(super) fn new(scene: &'a Scene, settings: &'a Settings) -> Self {
-        let camera = scene.camera.resized(settings.width, settings.height);
+    pub(super) fn new(scene: &'a Scene, camera: &Camera, settings: &'a Settings) -> Self {
+        let camera = camera.resized(settings.width, settings.height);
         Self {
             scene,
             settings,

@@ -17,7 +17,7 @@
 //! | `direct_light/`, `light_samples.rs` | lights and shadow rays |
 //! | `measured_tracer.rs`, `stats.rs`, `times.rs`, `stopwatch.rs` | tracing, counted and timed |
 //! | `settings.rs`, `sampling.rs`, `view.rs` | what is to be rendered |
-//! | `color_map.rs` | scalars to colours |
+//! | `color_map.rs`, `shown.rs` | scalars to colours; what was rendered to what is shown |
 //!
 //! Knows no file format and no terminal. Progress goes to an [`Observer`].
 
@@ -40,6 +40,7 @@ mod secondary_rays;
 mod settings;
 mod shading;
 mod shading_material;
+mod shown;
 mod stats;
 mod stopwatch;
 mod tile_renderer;
@@ -57,6 +58,7 @@ pub use renderer::{Kept, Renderer};
 pub use rendering::{Rendering, render};
 pub use sampling::Sampling;
 pub use settings::Settings;
+pub use shown::{legend, picture_for};
 pub use stats::{ClassStats, RenderStats};
 pub use tiles::pixel_order;
 pub use times::{Stage, StageTimes};

@@ -6,7 +6,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterato
 
 use crate::accel::Tracer;
 use crate::film::{Part, Piece};
-use crate::scene::Scene;
+use crate::scene::{Camera, Scene};
 
 use super::frame::Frame;
 use super::tile_renderer::TileRenderer;
@@ -31,7 +31,18 @@ impl<'a> Renderer<'a> {
     /// Computes what all pieces share.
     #[must_use]
     pub fn new(scene: &'a Scene, tracer: &'a dyn Tracer, settings: &'a Settings) -> Self {
-        Self { frame: Frame::new(scene, settings), tracer }
+        Self::seen_by(&scene.camera, scene, tracer, settings)
+    }
+
+    /// The same with another camera than the scene's own. The size of its picture is that of the settings.
+    #[must_use]
+    pub fn seen_by(
+        camera: &Camera,
+        scene: &'a Scene,
+        tracer: &'a dyn Tracer,
+        settings: &'a Settings,
+    ) -> Self {
+        Self { frame: Frame::new(scene, camera, settings), tracer }
     }
 
     /// Renders pieces on the threads of the current rayon pool: each thread takes the next one, until there are no more

@@ -82,9 +82,18 @@ fn help_names_every_option_and_exit_code() {
             assert!(help.contains(word), "the help does not mention {word}:\n{help}");
         }
     }
-    for subcommand in
-        ["compare", "conformance", "report", "rays", "check", "diff", "mesh", "completions", "man"]
-    {
+    for subcommand in [
+        "compare",
+        "conformance",
+        "report",
+        "rays",
+        "check",
+        "diff",
+        "mesh",
+        "view",
+        "completions",
+        "man",
+    ] {
         let Run { code, stdout: help, .. } = run_in(Path::new("."), &[subcommand, "--help"]);
         assert_eq!(code, 0);
         assert!(help.contains("Example"), "{subcommand}:\n{help}");

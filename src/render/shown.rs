@@ -3,13 +3,15 @@
 
 use crate::image_io::{Format, Picture};
 use crate::math::Color;
-use crate::render::{Image, Scale, Spacing, View, heat_picture};
+
+use super::{Image, Scale, Spacing, View, heat_picture};
 
 /// The scale of a picture in which nothing is seen.
 const NOTHING: Scale = Scale { low: 0.0, high: 0.0, spacing: Spacing::Linear };
 
 /// The picture for a format, and the scale of its colours if it shows numbers.
-pub(crate) fn picture(image: Image, view: View, format: Format) -> (Picture, Option<Scale>) {
+#[must_use]
+pub fn picture_for(image: Image, view: View, format: Format) -> (Picture, Option<Scale>) {
     match image {
         Image::Color(picture) => (picture, None),
         Image::Scalar { width, height, values } if format.is_linear() => (
@@ -26,7 +28,8 @@ pub(crate) fn picture(image: Image, view: View, format: Format) -> (Picture, Opt
 }
 
 /// What the colours of a scale mean.
-pub(crate) fn legend(view: View, scale: Scale) -> String {
+#[must_use]
+pub fn legend(view: View, scale: Scale) -> String {
     let Scale { low, high, .. } = scale;
     match view {
         View::Depth => format!(
@@ -37,8 +40,9 @@ pub(crate) fn legend(view: View, scale: Scale) -> String {
             four_figures(high),
         ),
         _ => format!(
-            "{}: black is {low} and pale yellow {high} tests of boxes and primitives a pixel",
+            "{}: black is {low} and pale yellow {high} tests of boxes and primitives a pixel{}",
             view.name(),
+            if scale.spacing == Spacing::Logarithmic { ", in steps of equal factors" } else { "" },
         ),
     }
 }
@@ -73,7 +77,7 @@ mod tests {
 
     #[test]
     fn floats_keep_the_numbers() {
-        let (picture, scale) = picture(depths(), View::Depth, Format::Exr);
+        let (picture, scale) = picture_for(depths(), View::Depth, Format::Exr);
         assert_eq!(picture.pixels[0], Color::splat(3.5));
         assert!(picture.pixels[1].is_nan());
         assert_eq!(scale, None);
@@ -81,7 +85,7 @@ mod tests {
 
     #[test]
     fn bytes_get_colours_and_a_legend() {
-        let (picture, scale) = picture(depths(), View::Depth, Format::Png);
+        let (picture, scale) = picture_for(depths(), View::Depth, Format::Png);
         assert_eq!(picture.pixels[1], Color::splat(0.5));
         let scale = scale.unwrap();
         assert_eq!(scale.spacing, Spacing::Logarithmic);
@@ -92,9 +96,19 @@ mod tests {
     }
 
     #[test]
+    fn a_legend_says_how_a_heatmap_is_spaced() {
+        let scale = Scale { low: 4.0, high: 900.0, spacing: Spacing::Linear };
+        let linear =
+            "heatmap: black is 4 and pale yellow 900 tests of boxes and primitives a pixel";
+        assert_eq!(legend(View::Heatmap, scale), linear);
+        let logarithmic = legend(View::Heatmap, scale.logarithmic());
+        assert_eq!(logarithmic, format!("{linear}, in steps of equal factors"));
+    }
+
+    #[test]
     fn nothing_seen_at_all_is_grey() {
         let nothing = Image::Scalar { width: 1, height: 1, values: vec![f32::NAN] };
-        let (picture, scale) = picture(nothing, View::Depth, Format::Tga);
+        let (picture, scale) = picture_for(nothing, View::Depth, Format::Tga);
         assert_eq!(picture.pixels, [Color::splat(0.5)]);
         assert_eq!(scale, Some(NOTHING));
     }
