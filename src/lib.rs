@@ -55,7 +55,8 @@
     doc = "\
 From scenes to pictures it is [`scene_file::parse`], [`assets::load_meshes`], [`scene::Scene::new`],
 [`scene::Structure::build`] and [`render::render`]. [`compare`] measures structures, [`report`] writes
-what it found, and [`cli::run_with`] gives a structure of your own the whole command line.
+what it found, [`live`] and [`serve`] are the page of `srt view`, and [`cli::run_with`] gives a structure of your own the
+whole command line.
 
 The layers, and which of them may use which, are described in `ARCHITECTURE.md`; a test holds every
 `crate::` path to that table."

@@ -4,6 +4,7 @@
 
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
@@ -78,6 +79,33 @@ impl Accel for Broken {
 
     fn bytes(&self) -> u64 {
         0
+    }
+}
+
+/// Counts how often it is built.
+struct Counted(Exhaustive);
+
+static BUILDS: AtomicUsize = AtomicUsize::new(0);
+
+impl Accel for Counted {
+    fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
+        BUILDS.fetch_add(1, Ordering::Relaxed);
+        let built = Exhaustive::build(primitives, build);
+        Built { accel: Self(built.accel), order: built.order }
+    }
+
+    fn traverse<C: Counters>(
+        &self,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        counters: &mut C,
+        leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
+    ) {
+        self.0.traverse(ray, box_ray, counters, leaf);
+    }
+
+    fn bytes(&self) -> u64 {
+        self.0.bytes()
     }
 }
 
@@ -206,6 +234,29 @@ fn a_scene_is_replaced_and_an_error_leaves_it() {
         while looker.pictures[0] != rendered(&show(0.5), View::Color) {
             looker.until(|report| report["complete"] == true);
         }
+    }
+}
+
+#[test]
+fn what_hits_the_same_is_not_built_again() {
+    let counted = Structure::new::<Counted, Exhaustive>("counted", "counts its builds");
+    let studio = studio(&[counted]);
+    let [mut first, mut second] = [(); 2].map(|()| Looker::new(&studio));
+    first.finished();
+    second.finished();
+    assert_eq!(BUILDS.load(Ordering::Relaxed), 1, "for both");
+    let green = |radius| {
+        let mut show = show(radius);
+        show.scene.materials[0].reflectance = Color::new(0.1, 0.7, 0.2);
+        show
+    };
+    for (radius, builds) in [(1.0, 1), (0.7, 2)] {
+        studio.replace(green(radius));
+        let expected = rendered(&green(radius), View::Color);
+        while first.pictures[0] != expected {
+            first.finished();
+        }
+        assert_eq!(BUILDS.load(Ordering::Relaxed), builds, "{radius}");
     }
 }
 

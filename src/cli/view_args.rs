@@ -11,11 +11,12 @@ use super::work_args::WorkArguments;
 /// `srt view`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Prints the address of a page, to be opened in a browser. The picture refines while one looks, and in the end it is\n\
-that of `srt SCENE OUTPUT`, bit for bit. The page moves the camera, exchanges structures, lets two of them race, and\n\
-follows the scene and its meshes whenever they are saved. Ctrl-C ends it.\n\n\
-Only this machine is listened to, unless --listen says otherwise, and only whoever knows the address, which has a\n\
-token that is new each time. What is sent is not encrypted.\n\n\
+Prints the address of a page, to be opened in a browser. The picture refines while one looks, and\n\
+in the end it is that of `srt SCENE OUTPUT`, bit for bit. The page moves the camera, exchanges\n\
+structures, lets two of them race, and follows the scene and its meshes whenever they are saved.\n\
+Ctrl-C ends it.\n\n\
+Only this machine is listened to, unless --listen says otherwise, and only whoever knows the\n\
+address, which has a token that is new each time. What is sent is not encrypted.\n\n\
 Exit codes: 2 trouble, 130 ended by Ctrl-C.\n\n\
 Examples:\n  \
 srt view scene.sce\n  \

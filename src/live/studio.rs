@@ -1,6 +1,6 @@
 //! What all who look at a scene share.
 
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, Weak};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError, Weak};
 
 use rayon::ThreadPool;
 
@@ -34,7 +34,9 @@ pub struct Show {
 /// A show, and the structures that were built over its scene.
 pub(super) struct Staged {
     pub(super) show: Show,
-    pub(super) worlds: Worlds,
+    pub(super) worlds: Arc<Worlds>,
+    /// What decides the hits of rays, once it was asked for.
+    geometry: OnceLock<[u8; 32]>,
 }
 
 /// What is on, and what is wrong with what was to follow it.
@@ -74,7 +76,7 @@ impl Studio {
     /// A studio with a scene.
     ///
     /// # Panics
-    /// If there is no structure.
+    /// If there is no structure, or only a crop is to be shown.
     #[must_use]
     pub fn new(
         show: Show,
@@ -88,15 +90,20 @@ impl Studio {
             build,
             pool,
             turns: Turns::default(),
-            stage: Mutex::new(Stage { staged: Staged::new(show), error: None }),
+            stage: Mutex::new(Stage { staged: Arc::new(Staged::new(show)), error: None }),
             lookers: Mutex::default(),
             came_or_left: Condvar::new(),
         })
     }
 
-    /// Shows the scene as it was saved again.
+    /// Shows the scene as it was saved again. Structures are built anew only if other rays hit, or hit elsewhere: other
+    /// materials, lights and cameras do not change that.
+    ///
+    /// # Panics
+    /// If only a crop is to be shown.
     pub fn replace(&self, show: Show) {
-        *self.lock_stage() = Stage { staged: Staged::new(show), error: None };
+        let staged = Staged::new(show).after(&self.stage().staged);
+        *self.lock_stage() = Stage { staged: Arc::new(staged), error: None };
         self.announce();
     }
 
@@ -158,7 +165,19 @@ impl Studio {
 }
 
 impl Staged {
-    fn new(show: Show) -> Arc<Self> {
-        Arc::new(Self { show, worlds: Worlds::default() })
+    fn new(show: Show) -> Self {
+        assert!(show.settings.crop.is_none(), "the whole picture is shown");
+        Self { show, worlds: Arc::default(), geometry: OnceLock::new() }
+    }
+
+    /// The same, with the structures of the one before it where its rays hit the same.
+    fn after(self, before: &Self) -> Self {
+        let is_same = self.geometry() == before.geometry();
+        let worlds = if is_same { Arc::clone(&before.worlds) } else { self.worlds };
+        Self { worlds, ..self }
+    }
+
+    fn geometry(&self) -> &[u8; 32] {
+        self.geometry.get_or_init(|| self.show.scene.geometry_hash())
     }
 }

@@ -127,15 +127,19 @@ impl Worker {
         if self.staged.as_ref().is_some_and(|own| Arc::ptr_eq(own, &stage.staged)) {
             return (false, is_other_error);
         }
+        let keeps_worlds = |own: &Arc<Staged>| Arc::ptr_eq(&own.worlds, &stage.staged.worlds);
+        if !self.staged.as_ref().is_some_and(keeps_worlds) {
+            self.lanes.clear();
+        }
         self.staged = Some(Arc::clone(&stage.staged));
-        self.lanes.clear();
         self.refusal = None;
         let wanted = std::mem::take(&mut self.wanted);
         if let Err(refusal) = self.choose(&stage.staged, wanted) {
             self.refusal = Some(refusal);
             // What every scene can be traced with, unless there is no memory for it.
-            let first = vec![self.studio.structures[0]];
-            if let Err(refusal) = self.choose(&stage.staged, first) {
+            let structures = &self.studio.structures;
+            let first = structures.iter().find(|one| !one.peer).unwrap_or(&structures[0]);
+            if let Err(refusal) = self.choose(&stage.staged, vec![*first]) {
                 self.refusal = Some(refusal);
             }
         }
