@@ -107,7 +107,7 @@ fn an_empty_scene_and_a_single_triangle_are_scenes() {
 }
 
 #[test]
-fn memory_grows_with_the_scene_where_it_is_known() {
+fn memory_grows_with_the_scene() {
     for name in LIBRARIES {
         let library = structure_named(name).unwrap();
         let report =
@@ -115,7 +115,7 @@ fn memory_grows_with_the_scene_where_it_is_known() {
         let small = report("object_flat generate:terrain:5000");
         let large = report("object_flat generate:terrain:50000");
         assert!(large.triangle_bytes > 5 * small.triangle_bytes, "{name}");
-        assert!(name == "parry" || large.meshes.bytes > 5 * small.meshes.bytes, "{name}");
+        assert!(large.meshes.bytes > 5 * small.meshes.bytes, "{name}");
     }
 }
 

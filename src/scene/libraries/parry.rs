@@ -59,6 +59,13 @@ impl ForeignTracer for Parry {
     }
 
     fn bytes(&self) -> ForeignBytes {
-        ForeignBytes { index: 0, triangles: self.triangles.bytes() }
+        let (index, all) = self
+            .mesh
+            .as_ref()
+            .map_or((0, 0), |mesh| (mesh.bvh().total_memory_size(), mesh.total_memory_size()));
+        ForeignBytes {
+            index: index as u64,
+            triangles: all.saturating_sub(index) as u64 + self.triangles.bytes(),
+        }
     }
 }
