@@ -22,6 +22,8 @@ const FILES: [&str; 4] = ["report.json", "report.csv", "report.md", "report.html
 #[derive(Debug)]
 pub(super) struct ResultFolder {
     path: PathBuf,
+    /// The record of the report that was here before.
+    older: Option<Comparison>,
 }
 
 impl ResultFolder {
@@ -47,7 +49,8 @@ impl ResultFolder {
         for name in FILES {
             Output::prepare(&path.join(name))?;
         }
-        Ok(Self { path })
+        let older = read_record(&path.join("report.json")).ok();
+        Ok(Self { path, older })
     }
 
     /// Where it is.
@@ -111,12 +114,12 @@ impl ResultFolder {
     /// The files of the older report in this folder which the new one does not replace: they would be
     /// taken for its own. A record may come from anywhere, so only names that this program gives.
     fn stale(&self, comparison: &Comparison) -> Vec<String> {
-        let Ok(old) = read_record(&self.path.join("report.json")) else { return Vec::new() };
+        let Some(old) = &self.older else { return Vec::new() };
         let new = picture_names(comparison);
         // Some file systems do not distinguish upper and lower case.
         let is_new = |name: &String| new.iter().any(|new| new.eq_ignore_ascii_case(name));
-        let given = given_names(&old);
-        let mut stale = picture_names(&old);
+        let given = given_names(old);
+        let mut stale = picture_names(old);
         stale.retain(|name| given.contains(name) && !is_new(name));
         if old.sampling.is_some() && comparison.sampling.is_none() {
             stale.push("sampling.csv".to_owned());
