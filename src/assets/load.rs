@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::deform::{BYTES_OF_TRIANGLE, deform};
 use super::generate::{Recipe, generate};
 use super::{
     AssetError, FileLine, MemoryShortage, MeshData, Problem, expect_memory, obj, read_file,
@@ -54,15 +55,88 @@ pub struct LoadedMeshes {
 /// errors of the others.
 #[must_use]
 pub fn load_each_mesh(references: &[MeshReference], folder: &Path) -> LoadedMeshes {
-    let (meshes, errors) = each(references, folder, |source| source.load().map(Arc::new));
-    LoadedMeshes { meshes, errors }
+    MeshLoader::default().load_each(references, folder)
+}
+
+/// Loads the meshes of one frame of a scene after the other. What was loaded once is kept: files are not read again,
+/// nothing is generated again, and meshes that are not deformed are the same in memory.
+#[derive(Debug, Default)]
+pub struct MeshLoader {
+    loaded: HashMap<Key, Arc<MeshData>>,
+}
+
+impl MeshLoader {
+    /// As [`load_each_mesh`].
+    pub fn load_each(&mut self, references: &[MeshReference], folder: &Path) -> LoadedMeshes {
+        let load = |source: &Source| match self.loaded.get(&source.key()) {
+            Some(mesh) => Ok((source.key(), Arc::clone(mesh))),
+            None => source.load().map(|mesh| (source.key(), Arc::new(mesh))),
+        };
+        let bytes = |source: &Source| {
+            if self.loaded.contains_key(&source.key()) { 0 } else { source.bytes() }
+        };
+        let (loaded, mut errors) = each(references, folder, bytes, load);
+        let mut keep = |(key, mesh): (Key, Arc<MeshData>)| {
+            self.loaded.insert(key, Arc::clone(&mesh));
+            mesh
+        };
+        let undeformed = loaded.into_iter().map(|mesh| mesh.map(&mut keep)).collect();
+        let (meshes, deformed) = deform_each(references, undeformed);
+        errors.extend(deformed);
+        errors.sort_by_key(|error| error.reference);
+        LoadedMeshes { meshes, errors }
+    }
+}
+
+/// Deforms the meshes that are to be, each once in each way.
+fn deform_each(
+    references: &[MeshReference],
+    mut meshes: Vec<Option<Arc<MeshData>>>,
+) -> (Vec<Option<Arc<MeshData>>>, Vec<AssetError>) {
+    let mut slots = HashMap::new();
+    let mut distinct = Vec::new();
+    let mut slot_of = Vec::new();
+    for (reference, mesh) in meshes.iter().enumerate() {
+        let deformation = &references[reference].deformation;
+        let Some(mesh) = mesh.as_ref().filter(|_| !deformation.is_none()) else { continue };
+        let slot = *slots.entry((Arc::as_ptr(mesh), deformation.key())).or_insert_with(|| {
+            distinct.push((reference, Arc::clone(mesh)));
+            distinct.len() - 1
+        });
+        slot_of.push((reference, slot));
+    }
+    let mut needed = 0u64;
+    let shortages: Vec<_> = distinct
+        .iter()
+        .map(|(_, mesh)| {
+            needed = needed.saturating_add(BYTES_OF_TRIANGLE * mesh.triangles.len() as u64);
+            expect_memory(needed).err()
+        })
+        .collect();
+    let act = |(&(reference, ref mesh), shortage): (&(usize, Arc<MeshData>), _)| {
+        let MeshReference { name, deformation, .. } = &references[reference];
+        if let Some(shortage) = shortage {
+            return Err(too_large(name.clone(), shortage).for_reference(reference));
+        }
+        deform(mesh, deformation).map(Arc::new).ok_or_else(|| {
+            let (name, deformation) = (name.clone(), format!("`{deformation}`"));
+            let help = "deform it less".to_owned();
+            LoadFailure::new(Problem::Deformed { name, deformation }, Some(help))
+                .for_reference(reference)
+        })
+    };
+    let done: Vec<_> = distinct.par_iter().zip(shortages).map(act).collect();
+    for (reference, slot) in slot_of {
+        meshes[reference] = done[slot].as_ref().ok().cloned();
+    }
+    (meshes, done.into_iter().filter_map(Result::err).collect())
 }
 
 /// What is wrong with the meshes of a scene that will not be traced: its files are read and forgotten,
 /// and nothing is generated, since only the name of a generated mesh, and its size, can be wrong.
 #[must_use]
 pub fn check_meshes(references: &[MeshReference], folder: &Path) -> Vec<AssetError> {
-    each(references, folder, Source::check).1
+    each(references, folder, Source::bytes, Source::check).1
 }
 
 /// Does something with each mesh once: what came of each reference, and the errors, at the first
@@ -70,6 +144,7 @@ pub fn check_meshes(references: &[MeshReference], folder: &Path) -> Vec<AssetErr
 fn each<T: Clone + Send + Sync>(
     references: &[MeshReference],
     folder: &Path,
+    bytes: impl Fn(&Source) -> u64,
     act: impl Fn(&Source) -> Result<T, Box<LoadFailure>> + Sync,
 ) -> (Vec<Option<T>>, Vec<AssetError>) {
     let sources: Vec<_> = references.iter().map(|r| Source::of(&r.name, folder)).collect();
@@ -92,16 +167,19 @@ fn each<T: Clone + Send + Sync>(
         };
         done.map_err(|failure| Box::new(failure.for_reference(reference)))
     };
-    let done: Vec<_> = distinct.par_iter().zip(shortages(&distinct)).map(act).collect();
+    let done: Vec<_> = distinct.par_iter().zip(shortages(&distinct, bytes)).map(act).collect();
     let results = slot_of.into_iter().map(|slot| done[slot].as_ref().ok().cloned()).collect();
     (results, done.into_iter().filter_map(|done| done.err().map(|error| *error)).collect())
 }
 
 /// For each source, whether it and those before it take more memory than there is.
-fn shortages(sources: &[(usize, &Source)]) -> Vec<Option<MemoryShortage>> {
+fn shortages(
+    sources: &[(usize, &Source)],
+    bytes: impl Fn(&Source) -> u64,
+) -> Vec<Option<MemoryShortage>> {
     let mut needed = 0u64;
     let shortage = |(_, source): &(usize, &Source)| {
-        let own = source.bytes();
+        let own = bytes(source);
         needed = needed.saturating_add(own);
         // What takes nothing is not at fault.
         if own == 0 { None } else { expect_memory(needed).err() }
@@ -120,7 +198,7 @@ enum Source {
 }
 
 /// What makes two sources one.
-#[derive(PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Key {
     File(PathBuf),
     Recipe(Recipe),
@@ -185,8 +263,7 @@ impl Source {
             Self::Recipe(recipe) => recipe.to_string(),
             Self::Nothing { name, .. } => name.clone(),
         };
-        let help = "use a mesh of fewer triangles, or let the program use more memory".to_owned();
-        LoadFailure::new(Problem::NoMemory { name, shortage }, Some(help))
+        too_large(name, shortage)
     }
 
     fn load(&self) -> Result<MeshData, Box<LoadFailure>> {
@@ -204,6 +281,11 @@ impl Source {
             Self::File { .. } | Self::Nothing { .. } => self.load().map(drop),
         }
     }
+}
+
+fn too_large(name: String, shortage: MemoryShortage) -> Box<LoadFailure> {
+    let help = "use a mesh of fewer triangles, or let the program use more memory".to_owned();
+    LoadFailure::new(Problem::NoMemory { name, shortage }, Some(help))
 }
 
 fn find_file(path: PathBuf) -> Result<Source, Box<LoadFailure>> {

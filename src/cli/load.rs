@@ -6,17 +6,21 @@ use std::sync::Arc;
 use super::source::{self, SourceError};
 use super::terminal::{print_error, print_message};
 use super::{diagnose, terminal};
-use crate::assets::{LoadedMeshes, MeshData, available_memory, check_meshes, load_each_mesh};
+use crate::assets::{LoadedMeshes, MeshData, MeshLoader, available_memory, check_meshes};
 use crate::description::{SceneDescription, Shape};
 use crate::scene::Scene;
 use crate::scene_file::{
-    Diagnostic, Invalid, ParseOptions, parse_to_meshes, render_diagnostics, summarize,
+    Diagnostic, Invalid, ParseOptions, Parsed, parse_to_meshes, render_diagnostics, summarize,
 };
 
 /// A scene that can be traced.
 pub(crate) struct Loaded {
     /// The text of the scene's file.
     pub(crate) text: String,
+    /// The frame that it was read for.
+    pub(crate) frame: u32,
+    /// The first and the last frame of all keys, if the scene moves.
+    pub(crate) keyed_frames: Option<[f64; 2]>,
     /// The scene as written.
     pub(crate) description: SceneDescription,
     /// The scene as traced.
@@ -43,20 +47,47 @@ pub(crate) enum LoadError {
     },
 }
 
-/// Loads a scene with its meshes, on the threads of the current rayon pool.
-pub(crate) fn load(path: &Path, lenient: bool) -> Result<Loaded, LoadError> {
-    let source = source::read(path)?;
-    match compile(&source, path, lenient) {
-        Ok((description, scene, warnings)) => {
-            let warnings = text(&warnings, &source, path);
-            Ok(Loaded { text: source, description, scene, warnings })
-        }
-        Err(diagnostics) => Err(LoadError::Invalid {
-            path: path.to_owned(),
-            text: text(&diagnostics, &source, path),
-            summary: summarize(&diagnostics),
-        }),
+/// A scene's file that was read, for one frame after the other.
+pub(crate) struct SceneFile {
+    path: PathBuf,
+    lenient: bool,
+    text: String,
+    meshes: MeshLoader,
+}
+
+impl SceneFile {
+    /// Reads the file's text.
+    pub(crate) fn read(path: &Path, lenient: bool) -> Result<Self, LoadError> {
+        let text = source::read(path)?;
+        Ok(Self { path: path.to_owned(), lenient, text, meshes: MeshLoader::default() })
     }
+
+    /// The scene in a frame with its meshes, loaded on the threads of the current rayon pool.
+    pub(crate) fn frame(&mut self, frame: u32) -> Result<Loaded, LoadError> {
+        let folder = folder_of(&self.path);
+        let memory = available_memory();
+        let options = ParseOptions { lenient: self.lenient, memory, frame };
+        match compile(&self.text, folder, &options, &mut self.meshes) {
+            Ok((parsed, scene)) => Ok(Loaded {
+                text: self.text.clone(),
+                frame,
+                keyed_frames: parsed.keyed_frames,
+                description: parsed.description,
+                scene,
+                warnings: text(&parsed.warnings, &self.text, &self.path),
+            }),
+            Err(diagnostics) => Err(LoadError::Invalid {
+                path: self.path.clone(),
+                text: text(&diagnostics, &self.text, &self.path),
+                summary: summarize(&diagnostics),
+            }),
+        }
+    }
+}
+
+/// Loads a scene with its meshes as it is in a frame, on the threads of the current rayon pool.
+pub(crate) fn load(path: &Path, lenient: bool, frame: u32) -> Result<Loaded, LoadError> {
+    SceneFile::read(path, lenient)?.frame(frame)
 }
 
 /// Prints why there is no scene: all that is wrong with it, then how much that is.
@@ -67,22 +98,21 @@ pub(crate) fn print_load_error(error: &LoadError) {
     print_error(error);
 }
 
-/// The scene as written and as traced, and its warnings; or all that is wrong with it.
+/// The scene as written, with all warnings, and as traced; or all that is wrong with it.
 fn compile(
     source: &str,
-    path: &Path,
-    lenient: bool,
-) -> Result<(SceneDescription, Scene, Vec<Diagnostic>), Vec<Diagnostic>> {
-    let folder = folder_of(path);
-    let options = ParseOptions { lenient, memory: available_memory() };
-    let parsed = parse_to_meshes(source, &options).map_err(|invalid| {
+    folder: &Path,
+    options: &ParseOptions,
+    loader: &mut MeshLoader,
+) -> Result<(Parsed, Scene), Vec<Diagnostic>> {
+    let parsed = parse_to_meshes(source, options).map_err(|invalid| {
         let Invalid { mut diagnostics, meshes } = invalid;
         let errors = check_meshes(&meshes, folder);
         diagnostics.extend(errors.iter().map(|error| diagnose::mesh(error, &meshes)));
         in_order(diagnostics)
     })?;
-    let (mut description, mut diagnostics) = (parsed.description, parsed.warnings);
-    let LoadedMeshes { meshes, errors } = load_each_mesh(&description.meshes, folder);
+    let Parsed { mut description, keyed_frames, warnings: mut diagnostics } = parsed;
+    let LoadedMeshes { meshes, errors } = loader.load_each(&description.meshes, folder);
     if !errors.is_empty() {
         let errors = errors.iter().map(|error| diagnose::mesh(error, &description.meshes));
         diagnostics.extend(errors);
@@ -94,7 +124,7 @@ fn compile(
     match Scene::new(&description, meshes) {
         Ok(scene) if complete => {
             diagnostics.extend(diagnose::eye_in_the_dark(&description));
-            Ok((description, scene, in_order(diagnostics)))
+            Ok((Parsed { description, keyed_frames, warnings: in_order(diagnostics) }, scene))
         }
         Ok(_) => Err(in_order(diagnostics)),
         Err(errors) => {

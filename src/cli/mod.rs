@@ -13,6 +13,7 @@
 //! | `command_line.rs` | the definition with the structures of this program; what was typed |
 //! | `work.rs`, `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
 //! | `refine.rs`, `checkpoint.rs`, `origin.rs` | a rendering in passes, saved and gone on with; what it is of |
+//! | `frames.rs`, `sequence.rs` | the frames of a scene that moves, and their pictures |
 //! | `part.rs`, `assemble.rs` | the subcommands for many machines |
 //! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `rays.rs` | the subcommands |
 //! | `check.rs`, `diff.rs`, `mesh.rs`, `accels.rs` | smaller ones |
@@ -46,6 +47,7 @@ mod diff;
 mod exit;
 mod figures;
 mod fingerprint;
+mod frames;
 mod image;
 mod interrupt;
 mod inventory;
@@ -68,6 +70,7 @@ mod render;
 mod render_args;
 mod report;
 mod result_folder;
+mod sequence;
 mod source;
 mod structures;
 mod summary;

@@ -9,6 +9,7 @@ mod conformance;
 mod diff;
 #[cfg(target_os = "linux")]
 mod faults;
+mod frames;
 #[cfg(unix)]
 mod interrupt;
 mod mesh;

@@ -74,7 +74,7 @@ fn every_mesh_that_cannot_be_loaded_is_an_error() {
 fn a_check_generates_nothing() {
     let folder = folder_with(&[]);
     let names = references(&["generate:icosphere:1k", "generate:hall:none", "generate:soup:2"]);
-    let (done, errors) = each(&names, folder.path(), Source::check);
+    let (done, errors) = each(&names, folder.path(), Source::bytes, Source::check);
     assert_eq!(done, [Some(()), None, Some(())]);
     assert_eq!(errors[0].reference, 1);
 }
