@@ -18,7 +18,7 @@ const STRAY: f64 = 0.35;
 /// The most that they turn on their way, in radians for a distance of 1.
 const TUMBLE: f64 = PI;
 
-/// The bytes that a deformed mesh takes as it is made, for each triangle of the mesh: at most, when none share vertices.
+/// The bytes that a deformed mesh takes as it is made, for each triangle of the mesh: at most, if none share vertices.
 pub(super) const BYTES_OF_TRIANGLE: u64 = 200;
 
 /// The mesh as a deformation makes it. Triangles that lose their area are dropped and counted. `None` where a vertex

@@ -116,20 +116,22 @@ fn deform_each(
     let act = |(&(reference, ref mesh), shortage): (&(usize, Arc<MeshData>), _)| {
         let MeshReference { name, deformation, .. } = &references[reference];
         if let Some(shortage) = shortage {
-            return Err(too_large(name.clone(), shortage).for_reference(reference));
+            let failure = too_large(name.clone(), shortage);
+            return Err(Box::new(failure.for_reference(reference)));
         }
         deform(mesh, deformation).map(Arc::new).ok_or_else(|| {
             let (name, deformation) = (name.clone(), format!("`{deformation}`"));
-            let help = "deform it less".to_owned();
-            LoadFailure::new(Problem::Deformed { name, deformation }, Some(help))
-                .for_reference(reference)
+            let problem = Problem::Deformed { name, deformation };
+            let failure = LoadFailure::new(problem, Some("deform it less".to_owned()));
+            Box::new(failure.for_reference(reference))
         })
     };
     let done: Vec<_> = distinct.par_iter().zip(shortages).map(act).collect();
     for (reference, slot) in slot_of {
         meshes[reference] = done[slot].as_ref().ok().cloned();
     }
-    (meshes, done.into_iter().filter_map(Result::err).collect())
+    let errors = done.into_iter().filter_map(Result::err).map(|error| *error);
+    (meshes, errors.collect())
 }
 
 /// What is wrong with the meshes of a scene that will not be traced: its files are read and forgotten,

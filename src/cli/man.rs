@@ -90,6 +90,7 @@ mod tests {
             "srt-assemble.1",
             "srt-check.1",
             "srt-compare.1",
+            "srt-animate.1",
             "srt-conformance.1",
             "srt-report.1",
             "srt-rays.1",

@@ -22,8 +22,9 @@ pub(crate) struct RenderArguments {
 
     /// The picture to write; `-` is standard output
     ///
-    /// The extension decides the format. `####` in its name stands for the number of a frame. A file appears whole or not at all; a pipe or a device is
-    /// written to directly. A pipe or a device without a known extension, and `-`, get ppm.
+    /// The extension decides the format. `####` in its name stands for the number of a frame. A file appears whole or
+    /// not at all; a pipe or a device is written to directly. A pipe or a device without a known extension, and `-`,
+    /// get ppm.
     #[arg(value_name = "OUTPUT", required = true)]
     pub(crate) output: Option<PathBuf>,
 
