@@ -1,7 +1,8 @@
 sce1.0
 # Nested transforms: a robot's arm.
 # Each joint is a `rotate` within the braces of the joint before it. Change one angle and all that
-# hangs on it follows; a `}` takes everything back, for the second finger of the hand.
+# hangs on it follows; a `}` takes everything back, for the second finger of the hand. The joints have keys: it reaches
+# down, and comes back, in the frames from 0 to 60: `srt scenes/robot-arm.sce frames/####.png --frames 0..60`.
 
 eyepos -3.2 -9.4 3.6
 eyedir 3.75 9.4 -2.0
@@ -47,8 +48,13 @@ shininess 60
     }
     translate 0 0 0.75
 
-    rotate -28 0 0 1                # the waist
-    rotate -24 0 1 0                # the shoulder
+    at 0  rotate -28 0 0 1          # the waist
+    to 20 rotate -36 0 0 1
+    to 35 rotate -36 0 0 1
+    to 60 rotate -28 0 0 1
+    at 0  rotate -24 0 1 0          # the shoulder
+    to 30 rotate 8 0 1 0
+    to 60 rotate -24 0 1 0
     {
         cr 0.26 0.28 0.30
         translate 0 -0.5 0
@@ -62,7 +68,9 @@ shininess 60
     }
     translate 0 0 2.0
 
-    rotate 105 0 1 0                # the elbow
+    at 0  rotate 105 0 1 0          # the elbow
+    to 30 rotate 88 0 1 0
+    to 60 rotate 105 0 1 0
     {
         cr 0.26 0.28 0.30
         translate 0 -0.4 0
@@ -76,7 +84,9 @@ shininess 60
     }
     translate 0 0 1.8
 
-    rotate 42 0 1 0                 # the wrist
+    at 0  rotate 42 0 1 0           # the wrist
+    to 30 rotate 74 0 1 0
+    to 60 rotate 42 0 1 0
     {
         cr 0.26 0.28 0.30
         ball 0.28 0 0 0

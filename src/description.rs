@@ -4,6 +4,7 @@
 //! [`scene`](crate::scene). Lengths are in the scene's own unit, angles in degrees as written,
 //! colours linear. Every number is finite as written, and within the bounds that its field states.
 
+use std::fmt;
 use std::ops::Range;
 
 use glam::{DAffine3, DVec3};
@@ -23,7 +24,7 @@ pub struct SceneDescription {
     pub options: Options,
     /// The materials that objects refer to, each different from all before it.
     pub materials: Vec<Material>,
-    /// The mesh files that objects refer to, each once.
+    /// The meshes that objects refer to, each once with each deformation.
     pub meshes: Vec<MeshReference>,
     /// The objects in the order of the file; an object's index is its id in every hit.
     pub objects: Vec<Object>,
@@ -114,10 +115,12 @@ impl Default for Material {
 }
 
 /// A mesh file, by the name that the scene gives it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MeshReference {
     /// As written: a path relative to the folder of the scene, or `generate:KIND:TRIANGLES[:SEED]`.
     pub name: String,
+    /// What is done to it before it is traced.
+    pub deformation: Deformation,
     /// Where the scene names it first.
     pub span: Span,
 }
@@ -126,7 +129,68 @@ impl MeshReference {
     /// A reference made by hand.
     #[must_use]
     pub fn new(name: impl Into<String>) -> Self {
-        Self { name: name.into(), span: 0..0 }
+        Self { name: name.into(), deformation: Deformation::default(), span: 0..0 }
+    }
+}
+
+/// How a mesh is deformed in its own space: it is twisted, then a wave runs through it, then it is blown apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Deformation {
+    /// By how many degrees it is turned about the z axis for each unit of z.
+    pub twist: f64,
+    /// What lifts it along z.
+    pub wave: Wave,
+    /// How far its triangles are moved apart, as a share of their distance from the origin; not negative.
+    pub explosion: f64,
+}
+
+/// A wave along x that lifts points along z by amplitude · sin 2π(x / length − phase).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wave {
+    /// By how much, at most.
+    pub amplitude: f64,
+    /// From crest to crest; positive.
+    pub length: f64,
+    /// How far it has run along x, in wavelengths.
+    pub phase: f64,
+}
+
+impl Default for Wave {
+    /// None.
+    fn default() -> Self {
+        Self { amplitude: 0.0, length: 1.0, phase: 0.0 }
+    }
+}
+
+impl Deformation {
+    /// Whether it leaves a mesh as it is.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        self.twist == 0.0 && self.wave.amplitude == 0.0 && self.explosion == 0.0
+    }
+
+    /// Bits that are equal for deformations that are equal, and for all that leave a mesh as it is.
+    #[must_use]
+    pub fn key(&self) -> [u64; 5] {
+        if self.is_none() {
+            return [0; 5];
+        }
+        let Self { twist, wave: Wave { amplitude, length, phase }, explosion } = *self;
+        // Adding 0 turns −0 into 0, which equals it but has other bits.
+        [twist, amplitude, length, phase, explosion].map(|x| (x + 0.0).to_bits())
+    }
+}
+
+impl fmt::Display for Deformation {
+    /// As a scene has it: `twist 90, explode 0.5`; empty where there is none.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Wave { amplitude, length, phase } = self.wave;
+        let parts = [
+            (self.twist != 0.0).then(|| format!("twist {}", self.twist)),
+            (amplitude != 0.0).then(|| format!("wave {amplitude} {length} {phase}")),
+            (self.explosion != 0.0).then(|| format!("explode {}", self.explosion)),
+        ];
+        f.write_str(&parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
     }
 }
 

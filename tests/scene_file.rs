@@ -96,8 +96,11 @@ fn expected() -> SceneDescription {
         options: Options { max_recursion: 3, aa: 4, background: Vec3::new(0.1, 0.2, 0.3) },
         materials: vec![Material::default(), red, Material { reflectance: Vec3::Y, ..red }],
         meshes: vec![
-            MeshReference { name: "meshes//a#1.ob".into(), span: span_of("meshes//a#1.ob") },
-            MeshReference { name: "my mesh.obj".into(), span: span_of("\"my mesh.obj\"") },
+            MeshReference {
+                span: span_of("meshes//a#1.ob"),
+                ..MeshReference::new("meshes//a#1.ob")
+            },
+            MeshReference { span: span_of("\"my mesh.obj\""), ..MeshReference::new("my mesh.obj") },
         ],
         objects: vec![
             object(

@@ -20,7 +20,8 @@ use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
 use super::builder::{Builder, reinsert};
-use super::{Accel, Bounded, Build, Built, OptionInfo, Order, Tree};
+use super::refit::{Below, Fit, FitNode, Paths, fit_inner, fit_leaves};
+use super::{Accel, Bounded, Build, Built, Moved, OptionInfo, Order, Primitives, Tree};
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
 const USUAL_DEPTH: usize = 32;
@@ -31,6 +32,8 @@ pub struct Bvh {
     nodes: Vec<Node>,
     /// The whole tree; `None` if there are no primitives.
     root: Option<Child>,
+    /// The way up, once few primitives among many have moved.
+    paths: Option<Paths>,
 }
 
 /// The children of a node and their boxes.
@@ -62,9 +65,14 @@ impl Accel for Bvh {
 
     const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
 
+    const REFITS: bool = true;
+
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         if primitives.count() == 0 {
-            return Built { accel: Self { nodes: Vec::new(), root: None }, order: None };
+            return Built {
+                accel: Self { nodes: Vec::new(), root: None, paths: None },
+                order: None,
+            };
         }
         let tree = binary_tree(primitives, build);
         build.stages.time("layout", || lay_out(&tree, build.grain))
@@ -118,8 +126,23 @@ impl Accel for Bvh {
         }
     }
 
+    fn refit<P: Primitives>(&mut self, primitives: &P, moved: Moved<'_>) -> Aabb {
+        let bounds_of = |slots: Range<u32>| {
+            slots.map(|slot| primitives.bounds(slot)).fold(Aabb::EMPTY, Aabb::union)
+        };
+        let Self { nodes, root, paths } = self;
+        let Some(root) = root else { return Aabb::EMPTY };
+        if root.count > 0 {
+            return bounds_of(root.first..root.first + root.count);
+        }
+        let of_leaves = |nodes: &mut [Node]| fit_leaves(nodes, 1, bounds_of);
+        Fit { nodes, block: 1, paths }
+            .follow(moved, bounds_of, of_leaves, |nodes| fit_inner(nodes, 1))
+    }
+
     fn bytes(&self) -> u64 {
-        (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()) as u64
+        let paths = self.paths.as_ref().map_or(0, Paths::bytes);
+        (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>() + paths) as u64
     }
 
     fn tree(&self) -> Option<Tree> {
@@ -145,6 +168,30 @@ impl Node {
     /// The box around both children.
     fn bounds(&self) -> Aabb {
         self.child_bounds(0).union(self.child_bounds(1))
+    }
+}
+
+impl FitNode for Node {
+    const WIDTH: usize = 2;
+
+    fn below(&self, lane: usize, _: usize) -> Option<Below> {
+        let Child { first, count } = self.children[lane];
+        Some(if count == 0 {
+            Below::Node(first as usize)
+        } else {
+            Below::Slots(first..first + count)
+        })
+    }
+
+    fn child_bounds(&self, lane: usize) -> Aabb {
+        Self::child_bounds(self, lane)
+    }
+
+    fn fit(&mut self, lane: usize, bounds: &Aabb) {
+        for (axis, planes) in self.planes.iter_mut().enumerate() {
+            planes[lane] = bounds.min[axis];
+            planes[2 + lane] = bounds.max[axis];
+        }
     }
 }
 
@@ -224,7 +271,10 @@ fn lay_out(tree: &Bvh2, grain: u32) -> Built<Bvh> {
         }
     }
     nodes.shrink_to_fit();
-    Built { accel: Bvh { nodes, root: Some(root) }, order: Some(Order::Permutation(order)) }
+    Built {
+        accel: Bvh { nodes, root: Some(root), paths: None },
+        order: Some(Order::Permutation(order)),
+    }
 }
 
 fn bounds_of(node: &Bvh2Node) -> Aabb {

@@ -3,11 +3,11 @@
 use std::time::{Duration, Instant};
 
 use crate::counters::{Counters, Counts, NoCounters};
-use crate::math::{Hit, Ray};
+use crate::math::{Aabb, Hit, Ray};
 
 use super::{
-    Accel, Answers, AnyHit, Build, BuildConfig, BuildStages, ClosestHit, Packs, Primitives, Query,
-    Scratch, StructureShape, Tracer, Tree, search_one,
+    Accel, Answers, AnyHit, Build, BuildConfig, BuildStages, ClosestHit, Moved, Packs, Primitives,
+    Query, Scratch, StructureShape, Tracer, Tree, search_one,
 };
 
 /// What debug builds say of rays whose hits are not defined.
@@ -74,6 +74,41 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         Self { primitives, accel: built.accel, build_time, check_time, stages }
     }
 
+    /// Moves the primitives: `change` changes them where they stand, in slot order, and the structure follows. `settle`
+    /// is then told the box around all, which [`Primitives::padding`] depends on.
+    ///
+    /// ```
+    /// use srt::accel::{BuildConfig, Bvh8, Indexed, Moved};
+    /// use srt::glam::Vec3;
+    /// use srt::math::Ray;
+    /// use srt::shapes::TriangleSet;
+    ///
+    /// let (mut positions, triangles) = ([Vec3::ZERO, Vec3::X, Vec3::Y], [[0, 1, 2]]);
+    /// let set = TriangleSet::new(&positions, &triangles);
+    /// let mut bvh: Indexed<_, Bvh8> = Indexed::build(set, &BuildConfig::default());
+    /// positions.iter_mut().for_each(|position| position.z += 3.0);
+    /// bvh.refit(Moved::All, |set| set.move_to(&positions, &triangles), TriangleSet::settle)?;
+    /// assert_eq!(bvh.hit(&Ray::new(Vec3::new(0.2, 0.2, 5.0), Vec3::NEG_Z)).t, 2.0);
+    /// # Ok::<(), srt::shapes::MeshError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of `change` and `settle`. Then neither primitives nor structure are of further use.
+    ///
+    /// # Panics
+    /// If the structure does not offer it: [`Accel::REFITS`].
+    pub fn refit<E>(
+        &mut self,
+        moved: Moved<'_>,
+        change: impl FnOnce(&mut P) -> Result<(), E>,
+        settle: impl FnOnce(&mut P, &Aabb) -> Result<(), E>,
+    ) -> Result<(), E> {
+        assert!(A::REFITS, "the structure cannot follow primitives that move");
+        change(&mut self.primitives)?;
+        let bounds = self.accel.refit(&self.primitives, moved);
+        settle(&mut self.primitives, &bounds)
+    }
+
     /// What was built elsewhere, and read: primitives in the order of their structure.
     pub(super) fn loaded(primitives: P, accel: A) -> Self {
         let [build_time, check_time] = [Duration::ZERO; 2];
@@ -83,6 +118,12 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     /// What searches.
     pub(super) fn accel(&self) -> &A {
         &self.accel
+    }
+
+    /// What is searched, to be changed but for its boxes.
+    #[cfg(feature = "program")]
+    pub(crate) fn primitives_mut(&mut self) -> &mut P {
+        &mut self.primitives
     }
 
     /// What is searched.

@@ -18,6 +18,7 @@
 //! | `balls.rs` | a binary tree of bounding balls |
 //!
 //! What partitions of space share is in `cells/`.
+//! `refit.rs` lets the boxes of trees follow primitives that move.
 //! `save/` writes built structures to bytes and reads them back.
 //! Binary trees, which trees of all layouts are made from, are built in `builder/`.
 
@@ -40,6 +41,7 @@ mod options;
 mod order;
 mod packs;
 mod query;
+mod refit;
 mod save;
 mod scratch;
 mod shape;
@@ -71,6 +73,7 @@ pub use options::{Allowed, BuildOptions, OptionError, OptionInfo};
 pub use order::Order;
 pub use packs::{NoPacks, NoRay, PACK, PackHits, Packs};
 pub use query::{AllHits, Answers, AnyHit, ClosestHit, Filtered, Query, QueryKind, Search};
+pub use refit::Moved;
 pub use save::{Decoder, Encoder, LoadError, Portable, PortablePrimitives, Slots};
 pub use scratch::Scratch;
 pub use shape::{LeafHistogram, StructureShape};
@@ -160,6 +163,9 @@ pub trait Accel: Sized + Send + Sync {
     /// and the primitives not: what does not fit into memory is refused before it is built.
     const BUILD_BYTES: u64 = 0;
 
+    /// Whether it can follow primitives that move: [`refit`](Self::refit).
+    const REFITS: bool = false;
+
     /// Builds the index. `primitives` may be empty.
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self>;
 
@@ -190,6 +196,14 @@ pub trait Accel: Sized + Send + Sync {
         for (ray, answer) in rays.iter().zip(answers) {
             *answer = search_one(self, query, primitives, ray, counters);
         }
+    }
+
+    /// Follows primitives that have moved: the same ones, in slot order, with other boxes. Afterwards the contract
+    /// holds for the new boxes. Returns the box around all. Called only where [`REFITS`](Self::REFITS) is set, which a
+    /// structure does that overrides this, or that has nothing to follow with.
+    fn refit<P: Primitives>(&mut self, primitives: &P, moved: Moved<'_>) -> Aabb {
+        let _ = moved;
+        primitives.total_bounds()
     }
 
     /// Bytes of the index itself, without the primitives.

@@ -20,6 +20,9 @@ pub struct Exhaustive {
 impl Accel for Exhaustive {
     const ONE_BY_ONE: bool = true;
 
+    /// It has no boxes.
+    const REFITS: bool = true;
+
     fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
         Built { accel: Self { count: primitives.count() }, order: None }
     }

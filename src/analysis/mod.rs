@@ -7,6 +7,7 @@
 pub mod baseline;
 mod class;
 mod finding;
+pub mod motion;
 mod noise;
 mod operation;
 mod overall;

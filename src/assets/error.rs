@@ -106,6 +106,16 @@ pub enum Problem {
         /// How much it would take, together with the meshes before it.
         shortage: MemoryShortage,
     },
+    /// Nothing that can be traced is left once it is deformed.
+    #[error(
+        "the mesh `{name}` cannot be deformed by {deformation}: it leaves single precision, or no triangle keeps an area"
+    )]
+    Deformed {
+        /// As the scene names it.
+        name: String,
+        /// As the scene has it.
+        deformation: String,
+    },
     /// A name that starts with `generate:` and is not that of a generated mesh.
     #[error(transparent)]
     Recipe(#[from] RecipeError),

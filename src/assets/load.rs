@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::deform::{BYTES_OF_TRIANGLE, deform};
 use super::generate::{Recipe, generate};
 use super::{
     AssetError, FileLine, MemoryShortage, MeshData, Problem, expect_memory, obj, read_file,
@@ -72,8 +73,87 @@ pub fn load_each_mesh<'a>(
     references: &[MeshReference],
     files: impl Into<MeshFiles<'a>>,
 ) -> LoadedMeshes {
-    let (meshes, errors) = each(references, files.into(), |source| source.load().map(Arc::new));
-    LoadedMeshes { meshes, errors }
+    MeshLoader::default().load_each(references, files)
+}
+
+/// Loads the meshes of one frame of a scene after the other. What was loaded once is kept: files are not read again,
+/// nothing is generated again, and meshes that are not deformed are the same in memory.
+#[derive(Debug, Default)]
+pub struct MeshLoader {
+    loaded: HashMap<Key, Arc<MeshData>>,
+}
+
+impl MeshLoader {
+    /// As [`load_each_mesh`].
+    pub fn load_each<'a>(
+        &mut self,
+        references: &[MeshReference],
+        files: impl Into<MeshFiles<'a>>,
+    ) -> LoadedMeshes {
+        let load = |source: &Source<'_>| match self.loaded.get(&source.key()) {
+            Some(mesh) => Ok((source.key(), Arc::clone(mesh))),
+            None => source.load().map(|mesh| (source.key(), Arc::new(mesh))),
+        };
+        let bytes = |source: &Source<'_>| {
+            if self.loaded.contains_key(&source.key()) { 0 } else { source.bytes() }
+        };
+        let (loaded, mut errors) = each(references, files.into(), bytes, load);
+        let mut keep = |(key, mesh): (Key, Arc<MeshData>)| {
+            self.loaded.insert(key, Arc::clone(&mesh));
+            mesh
+        };
+        let undeformed = loaded.into_iter().map(|mesh| mesh.map(&mut keep)).collect();
+        let (meshes, deformed) = deform_each(references, undeformed);
+        errors.extend(deformed);
+        errors.sort_by_key(|error| error.reference);
+        LoadedMeshes { meshes, errors }
+    }
+}
+
+/// Deforms the meshes that are to be, each once in each way.
+fn deform_each(
+    references: &[MeshReference],
+    mut meshes: Vec<Option<Arc<MeshData>>>,
+) -> (Vec<Option<Arc<MeshData>>>, Vec<AssetError>) {
+    let mut slots = HashMap::new();
+    let mut distinct = Vec::new();
+    let mut slot_of = Vec::new();
+    for (reference, mesh) in meshes.iter().enumerate() {
+        let deformation = &references[reference].deformation;
+        let Some(mesh) = mesh.as_ref().filter(|_| !deformation.is_none()) else { continue };
+        let slot = *slots.entry((Arc::as_ptr(mesh), deformation.key())).or_insert_with(|| {
+            distinct.push((reference, Arc::clone(mesh)));
+            distinct.len() - 1
+        });
+        slot_of.push((reference, slot));
+    }
+    let mut needed = 0u64;
+    let shortages: Vec<_> = distinct
+        .iter()
+        .map(|(_, mesh)| {
+            needed = needed.saturating_add(BYTES_OF_TRIANGLE * mesh.triangles.len() as u64);
+            expect_memory(needed).err()
+        })
+        .collect();
+    let act = |(&(reference, ref mesh), shortage): (&(usize, Arc<MeshData>), _)| {
+        let MeshReference { name, deformation, .. } = &references[reference];
+        if let Some(shortage) = shortage {
+            let failure = too_large(name.clone(), shortage);
+            return Err(Box::new(failure.for_reference(reference)));
+        }
+        deform(mesh, deformation).map(Arc::new).ok_or_else(|| {
+            let (name, deformation) = (name.clone(), format!("`{deformation}`"));
+            let problem = Problem::Deformed { name, deformation };
+            let failure = LoadFailure::new(problem, Some("deform it less".to_owned()));
+            Box::new(failure.for_reference(reference))
+        })
+    };
+    let done: Vec<_> = distinct.par_iter().zip(shortages).map(act).collect();
+    for (reference, slot) in slot_of {
+        meshes[reference] = done[slot].as_ref().ok().cloned();
+    }
+    let errors = done.into_iter().filter_map(Result::err).map(|error| *error);
+    (meshes, errors.collect())
 }
 
 /// What is wrong with the meshes of a scene that will not be traced: its files are read and forgotten,
@@ -83,7 +163,7 @@ pub fn check_meshes<'a>(
     references: &[MeshReference],
     files: impl Into<MeshFiles<'a>>,
 ) -> Vec<AssetError> {
-    each(references, files.into(), |source| source.check()).1
+    each(references, files.into(), |source| source.bytes(), |source| source.check()).1
 }
 
 /// Does something with each mesh once: what came of each reference, and the errors, at the first
@@ -91,6 +171,7 @@ pub fn check_meshes<'a>(
 fn each<T: Clone + Send + Sync>(
     references: &[MeshReference],
     files: MeshFiles<'_>,
+    bytes: impl Fn(&Source<'_>) -> u64,
     act: impl Fn(&Source<'_>) -> Result<T, Box<LoadFailure>> + Sync,
 ) -> (Vec<Option<T>>, Vec<AssetError>) {
     let sources: Vec<_> = references.iter().map(|r| Source::of(&r.name, files)).collect();
@@ -114,16 +195,19 @@ fn each<T: Clone + Send + Sync>(
             };
             done.map_err(|failure| Box::new(failure.for_reference(reference)))
         };
-    let done: Vec<_> = distinct.par_iter().zip(shortages(&distinct)).map(act).collect();
+    let done: Vec<_> = distinct.par_iter().zip(shortages(&distinct, bytes)).map(act).collect();
     let results = slot_of.into_iter().map(|slot| done[slot].as_ref().ok().cloned()).collect();
     (results, done.into_iter().filter_map(|done| done.err().map(|error| *error)).collect())
 }
 
 /// For each source, whether it and those before it take more memory than there is.
-fn shortages(sources: &[(usize, &Source<'_>)]) -> Vec<Option<MemoryShortage>> {
+fn shortages(
+    sources: &[(usize, &Source<'_>)],
+    bytes: impl Fn(&Source<'_>) -> u64,
+) -> Vec<Option<MemoryShortage>> {
     let mut needed = 0u64;
     let shortage = |(_, source): &(usize, &Source<'_>)| {
-        let own = source.bytes();
+        let own = bytes(source);
         needed = needed.saturating_add(own);
         // What takes nothing is not at fault.
         if own == 0 { None } else { expect_memory(needed).err() }
@@ -144,7 +228,7 @@ enum Source<'a> {
 }
 
 /// What makes two sources one.
-#[derive(PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Key {
     File(PathBuf),
     Recipe(Recipe),
@@ -215,8 +299,7 @@ impl<'a> Source<'a> {
             Self::Recipe(recipe) => recipe.to_string(),
             Self::Nothing { name, .. } => name.clone(),
         };
-        let help = "use a mesh of fewer triangles, or let the program use more memory".to_owned();
-        LoadFailure::new(Problem::NoMemory { name, shortage }, Some(help))
+        too_large(name, shortage)
     }
 
     fn load(&self) -> Result<MeshData, Box<LoadFailure>> {
@@ -235,6 +318,11 @@ impl<'a> Source<'a> {
             Self::File { .. } | Self::Packed { .. } | Self::Nothing { .. } => self.load().map(drop),
         }
     }
+}
+
+fn too_large(name: String, shortage: MemoryShortage) -> Box<LoadFailure> {
+    let help = "use a mesh of fewer triangles, or let the program use more memory".to_owned();
+    LoadFailure::new(Problem::NoMemory { name, shortage }, Some(help))
 }
 
 fn find_packed<'a>(

@@ -1,9 +1,10 @@
-//! The meshes that a description names, from files or generated → data in memory.
+//! The meshes that a description names, from files or generated, deformed or not → data in memory.
 //!
 //! Reads files, as `cli` and, for its machine and its sources, `compare` do; no other layer does.
 //! Knows nothing of tracing: a mesh leaves here as plain arrays with every index in range, every
 //! normal of unit length and no degenerate triangle.
 
+mod deform;
 mod error;
 pub mod generate;
 mod load;
@@ -14,7 +15,9 @@ mod obj;
 mod read;
 
 pub use error::{AssetError, FileLine, Problem};
-pub use load::{LoadedMeshes, MeshFiles, check_meshes, load_each_mesh, load_meshes, read_obj};
+pub use load::{
+    LoadedMeshes, MeshFiles, MeshLoader, check_meshes, load_each_mesh, load_meshes, read_obj,
+};
 pub use memory::{MemoryShortage, available_memory, expect_memory};
 pub use mesh_data::MeshData;
 pub use read::{read_file, read_stream};

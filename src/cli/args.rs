@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use super::animate_args::AnimateArguments;
 use super::choice::described;
 use super::compare_args::{CompareArguments, ConformanceArguments, ReportArguments};
 use super::exit::EXIT_CODES;
@@ -29,6 +30,8 @@ Examples:
   srt part scene.sce --part 3/7 -o part-3.srtp     one of seven machines' parts
   srt assemble part-*.srtp -o picture.png          the same picture
   srt compare scenes/hall.sce                      how fast each structure is, as a report
+  srt scene.sce frames/####.png --frames 0..60     the frames of a scene that moves
+  srt animate scene.sce --frames 0..60             what it costs to follow it
   srt conformance --accel bvh8:leaf=4              whether its hits equal those of no structure
   srt check scenes/*.sce                           validate without rendering
   srt diff old.png new.png -o difference.png       compare two pictures
@@ -76,6 +79,8 @@ pub(crate) enum Command {
     Check(CheckArguments),
     /// Compare acceleration structures, prove their results equal, and write a report
     Compare(CompareArguments),
+    /// Measure how structures follow a scene that moves: rebuilt or refitted, frame by frame
+    Animate(AnimateArguments),
     /// Check that acceleration structures give equal hits, bit for bit
     Conformance(ConformanceArguments),
     /// Write the report of a comparison again, from its report.json

@@ -27,7 +27,7 @@ pub(super) fn run(arguments: &CheckArguments) -> CommandResult {
 }
 
 fn check(path: &Path, lenient: bool) -> CommandResult {
-    let error = match load(path, lenient) {
+    let error = match load(path, lenient, 0) {
         Ok(loaded) => return show(path, &loaded),
         Err(error) => error,
     };
@@ -42,7 +42,7 @@ fn show(path: &Path, loaded: &Loaded) -> CommandResult {
     if !loaded.warnings.is_empty() {
         print_message(&loaded.warnings);
     }
-    let text = inventory::describe(&loaded.description, &loaded.scene);
+    let text = inventory::describe(&loaded.description, &loaded.scene, loaded.keyed_frames);
     print(&format!("{}: valid\n{text}", source::name(path)))?;
     Ok(Exit::Fine)
 }

@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Comman
         compare::disturbances().iter().for_each(print_message);
     }
     let quiet = arguments.quiet;
-    let progress = CompareProgress::start(quiet, interrupt.clone(), rays.as_ref(), &folder);
+    let progress = CompareProgress::start(quiet, interrupt.clone(), rays.as_ref(), Some(&folder));
     let result = interrupt.cancellable(|| compare::run(&plan, &arguments.structures(), &progress));
     drop(progress);
     let mut result = result.map_err(Failure::new)?;
@@ -121,7 +121,7 @@ fn differences(comparison: &Comparison) -> Vec<String> {
 fn load_all(arguments: &CompareArguments) -> Result<Option<Vec<SceneInput>>, Failure> {
     let mut scenes: Vec<SceneInput> = Vec::new();
     for path in &arguments.scenes {
-        let loaded = match load(path, arguments.lenient) {
+        let loaded = match load(path, arguments.lenient, 0) {
             Ok(loaded) => loaded,
             Err(error) => {
                 print_load_error(&error);

@@ -25,7 +25,8 @@ pub(super) struct CompareProgress<'a> {
     bar: ProgressBar,
     interrupt: Interrupt,
     rays: Option<&'a RayFolder>,
-    folder: &'a ResultFolder,
+    /// Where what is done is saved.
+    folder: Option<&'a ResultFolder>,
 }
 
 impl<'a> CompareProgress<'a> {
@@ -34,7 +35,7 @@ impl<'a> CompareProgress<'a> {
         quiet: bool,
         interrupt: Interrupt,
         rays: Option<&'a RayFolder>,
-        folder: &'a ResultFolder,
+        folder: Option<&'a ResultFolder>,
     ) -> Self {
         let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::hidden());
         if !quiet && std::io::stderr().is_terminal() {
@@ -63,7 +64,8 @@ impl Observer for CompareProgress<'_> {
 
     fn part_done(&self, so_far: &ComparisonResult) {
         // The disk may have room again until the report is written, which fails if not.
-        if let Err(error) = self.folder.write_so_far(so_far) {
+        let Some(folder) = self.folder else { return };
+        if let Err(error) = folder.write_so_far(so_far) {
             let warning = format!("warning: what is done could not be saved: {error}");
             self.bar.suspend(|| print_message(warning));
         }

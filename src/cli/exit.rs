@@ -8,9 +8,9 @@ use super::terminal::print_error;
 pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
   0    done; for `diff`: the pictures are equal; for `check`: all scenes are valid
-  1    `diff`: the pictures differ; `check`: a scene is invalid; `compare`, `conformance`: the
-       results of a structure differ, or it failed; `compare`: something became slower than the
-       baseline
+  1    `diff`: the pictures differ; `check`: a scene is invalid; `compare`, `conformance`,
+       `animate`: the results of a structure differ, or it failed; `compare`: something became
+       slower than the baseline
   2    trouble: bad arguments, a scene or file that cannot be read, an output that cannot be
        written; `compare`: the baseline has nothing in common with the comparison
   130  interrupted by Ctrl-C; by another signal n: 128 + n, as 143 by SIGTERM

@@ -24,6 +24,8 @@ pub(crate) struct Figures {
     version: u32,
     /// The scene's file, as typed, or `standard input`.
     scene: String,
+    /// The frame of it.
+    pub(crate) frame: u32,
     /// Width and height of what was rendered, in pixels.
     pub(crate) width: u32,
     pub(crate) height: u32,
@@ -149,6 +151,7 @@ impl Figures {
         Self {
             version: VERSION,
             scene: source::name(&work.scene),
+            frame: work.frame,
             width: region.width(),
             height: region.height(),
             view: settings.view.name(),
@@ -346,6 +349,7 @@ pub(crate) mod tests {
         Figures {
             version: VERSION,
             scene: "scenes/hall.sce".to_owned(),
+            frame: 0,
             width: 800,
             height: 600,
             view: "color",

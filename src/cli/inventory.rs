@@ -9,7 +9,13 @@ use crate::scene::Scene;
 use crate::shapes::Single;
 
 /// Describes a scene, given as written and as traced.
-pub(crate) fn describe(scene: &SceneDescription, traced: &Scene) -> String {
+///
+/// `keyed_frames` are the first and the last frame of all keys, if it moves.
+pub(crate) fn describe(
+    scene: &SceneDescription,
+    traced: &Scene,
+    keyed_frames: Option<[f64; 2]>,
+) -> String {
     let lines = [
         ("objects", objects(scene)),
         ("triangles", triangles(traced)),
@@ -25,7 +31,16 @@ pub(crate) fn describe(scene: &SceneDescription, traced: &Scene) -> String {
         let _ = writeln!(text, "  {name:<11}{value}");
     }
     for (reference, mesh) in scene.meshes.iter().zip(traced.meshes()) {
-        let _ = writeln!(text, "  {:<11}{}: {}", "mesh", reference.name, size(mesh));
+        let deformation = match reference.deformation.to_string() {
+            none if none.is_empty() => none,
+            deformation => format!(" ({deformation})"),
+        };
+        let name = &reference.name;
+        let _ = writeln!(text, "  {:<11}{name}{deformation}: {}", "mesh", size(mesh));
+    }
+    if let Some([first, last]) = keyed_frames {
+        let _ =
+            writeln!(text, "  {:<11}keys from frame {first} to {last}; this is frame 0", "motion");
     }
     text
 }
@@ -185,13 +200,15 @@ mod tests {
   picture    16 × 12, 3 × 3 samples a pixel, at most 2 bounces
   mesh       a.obj: 7 triangles, 3 vertices
 ";
-        assert_eq!(describe(&scene, &traced), expected);
+        assert_eq!(describe(&scene, &traced, None), expected);
     }
 
     #[test]
     fn an_empty_scene_in_words() {
         let scene = scene(Vec::new());
-        let text = describe(&scene, &Scene::new(&scene, Vec::new()).unwrap());
+        let traced = Scene::new(&scene, Vec::new()).unwrap();
+        let text = describe(&scene, &traced, Some([0.0, 7.5]));
+        assert!(text.contains("motion     keys from frame 0 to 7.5; this is frame 0\n"), "{text}");
         assert!(text.contains("objects    none\n"), "{text}");
         assert!(text.contains("bounds     none\n"), "{text}");
     }

@@ -7,18 +7,22 @@ use super::source::{self, Source, SourceError};
 use super::terminal::{print_error, print_message};
 use super::{diagnose, terminal};
 use crate::assets::{
-    LoadedMeshes, MeshData, MeshFiles, available_memory, check_meshes, load_each_mesh,
+    LoadedMeshes, MeshData, MeshFiles, MeshLoader, available_memory, check_meshes,
 };
 use crate::description::{MeshReference, SceneDescription, Shape};
 use crate::scene::Scene;
 use crate::scene_file::{
-    Diagnostic, Invalid, ParseOptions, parse_to_meshes, render_diagnostics, summarize,
+    Diagnostic, Invalid, ParseOptions, Parsed, parse_to_meshes, render_diagnostics, summarize,
 };
 
 /// A scene that can be traced.
 pub(crate) struct Loaded {
     /// The text of the scene's file.
     pub(crate) text: String,
+    /// The frame that it was read for.
+    pub(crate) frame: u32,
+    /// The first and the last frame of all keys, if the scene moves.
+    pub(crate) keyed_frames: Option<[f64; 2]>,
     /// The scene as written.
     pub(crate) description: SceneDescription,
     /// The scene as traced.
@@ -47,36 +51,62 @@ pub(crate) enum LoadError {
     },
 }
 
-/// Loads a scene with its meshes, on the threads of the current rayon pool.
-pub(crate) fn load(path: &Path, lenient: bool) -> Result<Loaded, LoadError> {
-    load_with(path, lenient, terminal::colors())
-}
-
-/// The same, with or without colours in what is said of it.
-pub(crate) fn load_with(path: &Path, lenient: bool, colors: bool) -> Result<Loaded, LoadError> {
-    load_source(&source::read(path)?, path, lenient, colors)
-}
-
-/// The same with what was read from the path.
-pub(crate) fn load_source(
-    source: &Source,
-    path: &Path,
+/// A scene's file that was read, for one frame after the other.
+pub(crate) struct SceneFile {
+    source: Source,
+    path: PathBuf,
     lenient: bool,
+    /// Whether what is said of it has colours.
     colors: bool,
-) -> Result<Loaded, LoadError> {
-    let written = source.text();
-    match compile(&written, source.files(), lenient) {
-        Ok((description, scene, warnings)) => {
-            let warnings = text(&warnings, &written, source, colors);
-            Ok(Loaded { text: written.into_owned(), description, scene, warnings })
-        }
-        Err(Uncompiled { diagnostics, meshes }) => Err(LoadError::Invalid {
-            path: path.to_owned(),
-            meshes,
-            text: text(&diagnostics, &written, source, colors),
-            summary: summarize(&diagnostics),
-        }),
+    meshes: MeshLoader,
+}
+
+impl SceneFile {
+    /// Reads the file, or the pack.
+    pub(crate) fn read(path: &Path, lenient: bool) -> Result<Self, LoadError> {
+        let (source, path, colors) = (source::read(path)?, path.to_owned(), terminal::colors());
+        Ok(Self { source, path, lenient, colors, meshes: MeshLoader::default() })
     }
+
+    /// The same, for what is no terminal.
+    pub(crate) fn without_colors(self) -> Self {
+        Self { colors: false, ..self }
+    }
+
+    /// What was read.
+    pub(crate) fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// The scene in a frame with its meshes, loaded on the threads of the current rayon pool.
+    pub(crate) fn frame(&mut self, frame: u32) -> Result<Loaded, LoadError> {
+        let written = self.source.text();
+        let memory = available_memory();
+        let options = ParseOptions { lenient: self.lenient, memory, frame };
+        let say =
+            |diagnostics: &[Diagnostic]| text(diagnostics, &written, &self.source, self.colors);
+        match compile(&written, self.source.files(), &options, &mut self.meshes) {
+            Ok((parsed, scene)) => Ok(Loaded {
+                warnings: say(&parsed.warnings),
+                text: written.into_owned(),
+                frame,
+                keyed_frames: parsed.keyed_frames,
+                description: parsed.description,
+                scene,
+            }),
+            Err(Uncompiled { diagnostics, meshes }) => Err(LoadError::Invalid {
+                path: self.path.clone(),
+                meshes,
+                text: say(&diagnostics),
+                summary: summarize(&diagnostics),
+            }),
+        }
+    }
+}
+
+/// Loads a scene with its meshes as it is in a frame, on the threads of the current rayon pool.
+pub(crate) fn load(path: &Path, lenient: bool, frame: u32) -> Result<Loaded, LoadError> {
+    SceneFile::read(path, lenient)?.frame(frame)
 }
 
 /// Prints why there is no scene: all that is wrong with it, then how much that is.
@@ -93,21 +123,21 @@ struct Uncompiled {
     meshes: Vec<MeshReference>,
 }
 
-/// The scene as written and as traced, and its warnings; or all that is wrong with it.
+/// The scene as written, with all warnings, and as traced; or all that is wrong with it.
 fn compile(
     source: &str,
     files: MeshFiles<'_>,
-    lenient: bool,
-) -> Result<(SceneDescription, Scene, Vec<Diagnostic>), Uncompiled> {
-    let options = ParseOptions { lenient, memory: available_memory() };
-    let parsed = parse_to_meshes(source, &options).map_err(|invalid| {
+    options: &ParseOptions,
+    loader: &mut MeshLoader,
+) -> Result<(Parsed, Scene), Uncompiled> {
+    let parsed = parse_to_meshes(source, options).map_err(|invalid| {
         let Invalid { mut diagnostics, meshes } = invalid;
         let errors = check_meshes(&meshes, files);
         diagnostics.extend(errors.iter().map(|error| diagnose::mesh(error, &meshes)));
         Uncompiled { diagnostics: in_order(diagnostics), meshes }
     })?;
-    let (mut description, mut diagnostics) = (parsed.description, parsed.warnings);
-    let LoadedMeshes { meshes, errors } = load_each_mesh(&description.meshes, files);
+    let Parsed { mut description, keyed_frames, warnings: mut diagnostics } = parsed;
+    let LoadedMeshes { meshes, errors } = loader.load_each(&description.meshes, files);
     if !errors.is_empty() {
         let errors = errors.iter().map(|error| diagnose::mesh(error, &description.meshes));
         diagnostics.extend(errors);
@@ -119,7 +149,7 @@ fn compile(
     match Scene::new(&description, meshes) {
         Ok(scene) if complete => {
             diagnostics.extend(diagnose::eye_in_the_dark(&description));
-            Ok((description, scene, in_order(diagnostics)))
+            Ok((Parsed { description, keyed_frames, warnings: in_order(diagnostics) }, scene))
         }
         Ok(_) => Err(Uncompiled { diagnostics: in_order(diagnostics), meshes: description.meshes }),
         Err(errors) => {

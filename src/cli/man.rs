@@ -92,6 +92,7 @@ mod tests {
             "srt-pack.1",
             "srt-check.1",
             "srt-compare.1",
+            "srt-animate.1",
             "srt-conformance.1",
             "srt-report.1",
             "srt-rays.1",

@@ -8,14 +8,15 @@
 //! |---|---|
 //! | `args.rs` | the definition of the command line |
 //! | `work_args.rs`, `render_args.rs`, `part_args.rs` | its options of rendering |
-//! | `compare_args.rs`, `rays_args.rs` | those of comparing, and of files of rays |
+//! | `compare_args.rs`, `animate_args.rs`, `rays_args.rs` | those of comparing, and of files of rays |
 //! | `values.rs`, `choice.rs`, `structures.rs`, `near.rs` | what options take: numbers, names, structures, with slips |
 //! | `command_line.rs` | the definition with the structures of this program; what was typed |
 //! | `work.rs`, `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
 //! | `refine.rs`, `checkpoint.rs`, `origin.rs` | a rendering in passes, saved and gone on with; what it is of |
 //! | `view.rs`, `view_args.rs`, `watch.rs` | the live page, and the files that it follows |
+//! | `frames.rs`, `sequence.rs` | the frames of a scene that moves, and their pictures |
 //! | `part.rs`, `assemble.rs`, `pack.rs` | the subcommands for many machines |
-//! | `render.rs`, `compare.rs`, `conformance.rs`, `report.rs`, `rays.rs` | the subcommands |
+//! | `render.rs`, `compare.rs`, `animate.rs`, `conformance.rs`, `report.rs`, `rays.rs` | the subcommands |
 //! | `check.rs`, `diff.rs`, `mesh.rs`, `accels.rs` | smaller ones |
 //! | `completions.rs`, `man.rs` | the subcommands that print the definition in other forms |
 //! | `output/` | where results go, whole or not at all |
@@ -29,6 +30,8 @@
 //! | `exit.rs` | how the command ends |
 
 mod accels;
+mod animate;
+mod animate_args;
 mod args;
 mod assemble;
 mod check;
@@ -47,6 +50,7 @@ mod diff;
 mod exit;
 mod figures;
 mod fingerprint;
+mod frames;
 mod interrupt;
 mod inventory;
 mod load;
@@ -69,6 +73,7 @@ mod render;
 mod render_args;
 mod report;
 mod result_folder;
+mod sequence;
 mod source;
 mod structures;
 mod summary;
@@ -125,6 +130,7 @@ fn dispatch(structures: &Structures) -> CommandResult {
         Some(Command::Assemble(assemble)) => assemble::run(&assemble),
         Some(Command::Pack(pack)) => pack::run(&pack),
         Some(Command::Check(check)) => check::run(&check),
+        Some(Command::Animate(animate)) => animate::run(&animate, &interrupt),
         Some(Command::Compare(compare)) => compare::run(&compare, &interrupt),
         Some(Command::Conformance(check)) => conformance::run(&check, &interrupt),
         Some(Command::Report(report)) => report::run(&report),

@@ -3,6 +3,7 @@
 
 use super::checkpoint::CheckpointFile;
 use super::exit::Failure;
+use super::frames::{FrameRange, path_of_picture};
 use super::output::Output;
 use super::picture::PictureTarget;
 use super::refine::Refinement;
@@ -20,6 +21,8 @@ pub(crate) struct RenderOptions {
     pub(crate) picture: PictureTarget,
     /// How it is refined, if it is not rendered in one go.
     pub(crate) refinement: Option<Refinement>,
+    /// Which frames are rendered, if not one alone.
+    pub(crate) frames: Option<FrameRange>,
     /// Whether an interrupted rendering is written.
     pub(crate) keep_partial: bool,
     /// Which figures are printed, and to which stream.
@@ -43,6 +46,10 @@ impl RenderOptions {
     pub(crate) fn new(typed: RenderArguments) -> Result<Self, Failure> {
         let scene = typed.scene.ok_or_else(|| Failure::new("no scene was named"))?;
         let output = typed.output.ok_or_else(|| Failure::new("no output was named"))?;
+        let output = match typed.frames {
+            Some(_) => output,
+            None => path_of_picture(output, typed.work.frame)?,
+        };
         let work = Work::new(scene, typed.work, typed.lenient, typed.quiet)?;
         let picture = PictureTarget::new(&output, &typed.picture)?;
         work.refuse_to_replace_the_scene(&picture.output)?;
@@ -64,6 +71,7 @@ impl RenderOptions {
         }
         Ok(Self {
             stats: typed.stats.map(|form| stats(form, &picture.output)),
+            frames: typed.frames,
             refinement: refines.then_some(refinement),
             keep_partial: typed.keep_partial,
             picture,

@@ -17,12 +17,15 @@ pub(crate) fn origin(loaded: &Loaded, settings: &Settings) -> Origin {
     Origin { scene: scene_hash(loaded), sources: sources(), version, settings }
 }
 
-/// SHA-256 of the scene's text and of its meshes as they were loaded, generated ones too. Each list begins with its
-/// length, 64 bits; all numbers are little-endian.
+/// SHA-256 of the scene's text, of the frame unless it is 0, and of the meshes as they are traced, generated ones too.
+/// Each list begins with its length, 64 bits; all numbers are little-endian.
 fn scene_hash(loaded: &Loaded) -> Hash {
     let mut hash = Sha256::new();
     hash.update((loaded.text.len() as u64).to_le_bytes());
     hash.update(&loaded.text);
+    if loaded.frame != 0 {
+        hash.update(loaded.frame.to_le_bytes());
+    }
     for mesh in loaded.scene.meshes() {
         let MeshData { positions, triangles, normals, normal_indices, dropped: _ } = &**mesh;
         for vectors in [positions, normals] {

@@ -10,10 +10,10 @@ use sha2::{Digest, Sha256};
 use super::args::PackArguments;
 use super::exit::{CommandResult, Exit, Failure};
 use super::fingerprint;
-use super::load::{load_source, print_load_error};
+use super::load::{SceneFile, print_load_error};
 use super::output::Output;
-use super::source::{self, Source, folder_of, is_stdin};
-use super::terminal::{self, print_message};
+use super::source::{Source, folder_of, is_stdin};
+use super::terminal::print_message;
 use super::work::same_file;
 use crate::pack::{Located, Pack, locate};
 use crate::report::numbers;
@@ -32,8 +32,14 @@ pub(super) fn run(arguments: &PackArguments) -> CommandResult {
         let path = path.display();
         return Err(Failure::new(format_args!("the pack would replace the scene `{path}`")));
     }
-    let source = source::read(path).map_err(Failure::new)?;
-    let loaded = match load_source(&source, path, *lenient, terminal::colors()) {
+    let mut file = match SceneFile::read(path, *lenient) {
+        Ok(file) => file,
+        Err(error) => {
+            print_load_error(&error);
+            return Ok(Exit::Trouble);
+        }
+    };
+    let loaded = match file.frame(0) {
         Ok(loaded) => loaded,
         Err(error) => {
             print_load_error(&error);
@@ -49,7 +55,7 @@ pub(super) fn run(arguments: &PackArguments) -> CommandResult {
             names.push(name);
         }
     }
-    let bytes = packed(path, &source, &names)?;
+    let bytes = packed(path, file.source(), &names)?;
     output.write(|to| to.write_all(&bytes))?;
     if !quiet {
         let files = names.len();

@@ -16,6 +16,9 @@ use crate::render::Observer;
 /// How often the bar is drawn anew, so that time passes on it even between tiles.
 const TICK: Duration = Duration::from_millis(200);
 
+/// What is done when the process ends within a rendering.
+pub(crate) type LastWords = Box<dyn Fn() + Send>;
+
 /// Watches a rendering: shows how much of it is done, and cancels it.
 pub(crate) struct Progress {
     bar: ProgressBar,
@@ -42,16 +45,31 @@ impl Progress {
         self.bar.inc(rendered);
     }
 
-    /// What to do when the process ends within the rendering: clears the bar, and says how far it came, and where to
+    /// What is done when the process ends within the rendering: clears the bar, and says how far it came, and where to
     /// read more about that.
-    pub(crate) fn last_words(&self, hint: &'static str) -> impl Fn() + Send + 'static {
+    pub(crate) fn last_words(&self, hint: &'static str) -> LastWords {
+        self.at_end(move |share| {
+            format!("interrupted: {share} rendered; nothing was written{hint}")
+        })
+    }
+
+    /// The same within one frame of several.
+    pub(crate) fn last_words_of_frame(&self, frame: u32) -> LastWords {
+        self.at_end(move |share| {
+            format!(
+                "interrupted: {share} of frame {frame} rendered; it was not written, those before it are whole"
+            )
+        })
+    }
+
+    fn at_end(&self, words: impl Fn(String) -> String + Send + 'static) -> LastWords {
         let bar = self.bar.clone();
-        move || {
+        Box::new(move || {
             // Clearing the bar also brings it to its end.
             let share = share(bar.position(), bar.length().unwrap_or(0));
             bar.finish_and_clear();
-            print_message(format_args!("interrupted: {share} rendered; nothing was written{hint}"));
-        }
+            print_message(words(share));
+        })
     }
 }
 

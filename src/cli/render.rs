@@ -16,6 +16,7 @@ use super::output::{OutputError, print};
 use super::progress::Progress;
 use super::refine::{Begun, Outcome, Refinement, StoppedBy};
 use super::render_args::RenderArguments;
+use super::sequence;
 use super::summary;
 use super::terminal::print_message;
 use crate::render::{Renderer, Settings, render};
@@ -25,6 +26,9 @@ use crate::scene::{BuildReport, Scene};
 pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> CommandResult {
     if let Some(failure) = no_such_name(arguments.scene.as_deref()) {
         return Err(failure);
+    }
+    if let Some(frames) = arguments.frames {
+        return sequence::run(arguments, frames, interrupt);
     }
     let options = RenderOptions::new(arguments)?;
     let pool = options.work.pool()?;
@@ -36,7 +40,7 @@ pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> CommandR
 }
 
 /// What is needed of a scene that was loaded; the rest of it is dropped.
-fn begin(
+pub(super) fn begin(
     options: &RenderOptions,
     loaded: Loaded,
 ) -> Result<(Scene, Settings, Option<Begun>), Failure> {
@@ -68,7 +72,7 @@ fn no_such_name(scene: Option<&Path>) -> Option<Failure> {
 }
 
 /// Builds and renders, on the threads of the current pool.
-fn trace(
+pub(super) fn trace(
     scene: &Scene,
     settings: &Settings,
     options: &RenderOptions,
@@ -86,7 +90,11 @@ fn trace(
     let progress = Progress::start(settings.region().pixels(), quiet, interrupt.clone());
     let render = || render(scene, &*world, settings, &progress);
     // What will not be written is not worth waiting for: the process ends at once.
-    let rendering = interrupt.with_last_words(progress.last_words(" (see --keep-partial)"), || {
+    let words = match options.frames {
+        Some(_) => progress.last_words_of_frame(options.work.frame),
+        None => progress.last_words(" (see --keep-partial)"),
+    };
+    let rendering = interrupt.with_last_words(words, || {
         if options.keep_partial { interrupt.cancellable(render) } else { render() }
     });
     let stopped_by = (!rendering.complete).then_some(StoppedBy::Signal);
@@ -94,7 +102,7 @@ fn trace(
 }
 
 /// Writes the picture, and prints the figures.
-fn conclude(
+pub(super) fn conclude(
     settings: &Settings,
     options: &RenderOptions,
     build: &BuildReport,
@@ -118,7 +126,11 @@ fn conclude(
         if let Some(remarks) = &remarks {
             remarks.print();
         }
-        print_message(summary::line(&figures));
+        let line = summary::line(&figures);
+        match options.frames {
+            Some(_) => print_message(format_args!("frame {}: {line}", figures.frame)),
+            None => print_message(line),
+        }
         if let Some(refinement) = refinement {
             refinement.say_what_is_left(stopped_by, noise, settings, remarks.is_some());
         }

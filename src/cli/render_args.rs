@@ -6,6 +6,7 @@ use std::time::Duration;
 use clap::{Args, ValueEnum};
 
 use super::choice::{described, named};
+use super::frames::FrameRange;
 use super::values;
 use super::work_args::WorkArguments;
 use crate::image_io::{Format, ToneCurve};
@@ -21,8 +22,9 @@ pub(crate) struct RenderArguments {
 
     /// The picture to write; `-` is standard output
     ///
-    /// The extension decides the format. A file appears whole or not at all; a pipe or a device is
-    /// written to directly. A pipe or a device without a known extension, and `-`, get ppm.
+    /// The extension decides the format. `####` in its name stands for the number of a frame. A file appears whole or
+    /// not at all; a pipe or a device is written to directly. A pipe or a device without a known extension, and `-`,
+    /// get ppm.
     #[arg(value_name = "OUTPUT", required = true)]
     pub(crate) output: Option<PathBuf>,
 
@@ -33,6 +35,16 @@ pub(crate) struct RenderArguments {
     /// How its light is fitted into the picture, and in which format.
     #[command(flatten)]
     pub(crate) picture: PictureArguments,
+
+    /// Render these frames of a scene that moves, both ends included, each to a picture of its own: 0..60
+    ///
+    /// The name of the output has a place for the number: `####`, or any number of `#`, which is filled up with
+    /// zeros. Standard output gets one picture after the other. The folder is made if it is missing. After Ctrl-C or
+    /// another signal to end, the frames that are there are whole.
+    #[arg(long, value_name = "FIRST..LAST", allow_hyphen_values = true, value_parser = values::frames,
+        conflicts_with_all = ["frame", "progressive", "time", "noise", "checkpoint", "keep_partial"],
+        help_heading = "Output")]
+    pub(crate) frames: Option<FrameRange>,
 
     /// Treat unknown commands of the scene as warnings
     #[arg(long, help_heading = "Output")]
@@ -88,7 +100,7 @@ pub(crate) struct RenderArguments {
     /// The table goes to standard error. JSON goes to standard output, unless the picture does.
     /// Counting takes some time; the picture stays the same.
     ///
-    /// The JSON is one object of `version` 1 with scene, width, height, view, scale (of depths and
+    /// The JSON is one object of `version` 1 with scene, frame, width, height, view, scale (of depths and
     /// heatmaps: low, high, spacing), partial, stopped_by (signal, time, noise or null), rendered_pixels,
     /// samples_per_pixel (on average), noise (of --progressive and --checkpoint), threads, structure,
     /// render_seconds, thread_seconds, rays, rays_per_second and classes. Means of nothing are null.
@@ -111,7 +123,7 @@ pub(crate) struct RenderArguments {
 }
 
 /// How light becomes the picture that is written.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub(crate) struct PictureArguments {
     /// How many stops brighter the picture is written: 1 doubles the light, -1 halves it
     ///

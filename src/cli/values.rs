@@ -5,6 +5,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::time::Duration;
 
+use super::frames::{FrameRange, LAST_FRAME};
 use crate::assets::generate::{MAX_TRIANGLES, read_count};
 use crate::description::Camera;
 use crate::film::{Crop, Share};
@@ -54,6 +55,9 @@ pub(crate) enum ValueError {
     /// Not two sizes of meshes.
     #[error("expected two numbers of triangles, the smaller first, up to 100M, such as 1k..10M")]
     Sizes,
+    /// Not two frames.
+    #[error("expected the first frame and the last, up to {LAST_FRAME}, such as 0..60")]
+    Frames,
     /// Not a number of stops.
     #[error(
         "expected a number of stops from -{0} to {0}, such as -1.5: each doubles or halves the light",
@@ -170,6 +174,16 @@ pub(super) fn sizes(text: &str) -> Result<(u32, u32), ValueError> {
     let first = triangles(first.trim()).map_err(|_| ValueError::Sizes)?;
     let last = triangles(last.trim()).map_err(|_| ValueError::Sizes)?;
     if first <= last { Ok((first, last)) } else { Err(ValueError::Sizes) }
+}
+
+/// Reads the first frame and the last, `0..60`.
+pub(super) fn frames(text: &str) -> Result<FrameRange, ValueError> {
+    let (first, last) = text.split_once("..").ok_or(ValueError::Frames)?;
+    let (Some(first), Some(last)) = (number(first), number(last)) else {
+        return Err(ValueError::Frames);
+    };
+    let fits = first <= last && last <= LAST_FRAME;
+    if fits { Ok(FrameRange { first, last }) } else { Err(ValueError::Frames) }
 }
 
 /// Reads an exposure in stops.

@@ -7,7 +7,7 @@ use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
 use super::exit::{CommandResult, Exit, Failure};
-use super::load::{LoadError, Loaded, load_with};
+use super::load::{LoadError, Loaded, SceneFile};
 use super::output::print;
 use super::source;
 use super::source::folder_of;
@@ -120,7 +120,9 @@ fn follow(studio: &Studio, work: &Work, mut files: WatchedFiles) {
 
 /// Loads the scene and shows it, or says what is wrong with it. The meshes that it names, if it can be read.
 fn reload(studio: &Studio, work: &Work) -> Option<Vec<MeshReference>> {
-    match studio.on_threads(|| load_with(&work.scene, work.lenient, false)) {
+    match studio
+        .on_threads(|| SceneFile::read(&work.scene, work.lenient)?.without_colors().frame(0))
+    {
         Ok(loaded) => {
             let meshes = loaded.description.meshes.clone();
             match show(work, loaded) {

@@ -22,6 +22,8 @@ use crate::scene::{Scene, Structure, TracedWorld};
 pub(crate) struct Work {
     /// The scene's file.
     pub(crate) scene: PathBuf,
+    /// The frame, of a scene that moves.
+    pub(crate) frame: u32,
     /// The structure that is traced.
     pub(crate) structure: Structure,
     /// How it is built.
@@ -71,6 +73,7 @@ impl Work {
             (None, None) => {}
         }
         Ok(Self {
+            frame: typed.frame.unwrap_or(0),
             structure: typed.accel,
             build: build_config(typed.build),
             threads: threads(typed.threads)?,
@@ -153,7 +156,7 @@ impl Work {
 
     /// Loads the scene and prints its warnings; or prints why there is none.
     pub(crate) fn load(&self, pool: &ThreadPool) -> Option<Loaded> {
-        match pool.install(|| load(&self.scene, self.lenient)) {
+        match pool.install(|| load(&self.scene, self.lenient, self.frame)) {
             Ok(loaded) => {
                 if !self.quiet && !loaded.warnings.is_empty() {
                     print_message(&loaded.warnings);

@@ -3,6 +3,7 @@
 use clap::Args;
 
 use super::choice::{described, named};
+use super::frames::LAST_FRAME;
 use super::structures::Structures;
 use super::values::{self, Size, whole};
 use crate::accel::Quality;
@@ -28,6 +29,11 @@ pub(crate) struct WorkArguments {
     #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = whole::<u16>(1, 1024), help_heading = "Structure")]
     pub(crate) threads: Option<u16>,
+
+    /// The frame of a scene that moves [default: 0]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = whole::<u32>(0, u64::from(LAST_FRAME)), help_heading = "Picture")]
+    pub(crate) frame: Option<u32>,
 
     /// Width and height in pixels [default: those of the scene]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true, help_heading = "Picture")]

@@ -75,6 +75,7 @@ mod extra_rays;
 mod hardware;
 mod machine;
 pub mod measure;
+mod motion;
 mod observer;
 mod panics;
 mod passes;
@@ -100,6 +101,7 @@ mod trace;
 mod trial;
 
 pub use machine::{disturbances, machine};
+pub use motion::{MotionError, MotionPlan, measure_motion};
 pub use observer::{Observer, Silent};
 pub(crate) use panics::catch_panic;
 pub(crate) use picture_file::{heatmap_name, picture_name};

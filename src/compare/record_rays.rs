@@ -96,6 +96,18 @@ pub(super) fn record(
     })
 }
 
+/// The rays that a renderer sends for a picture, on the threads of the current pool: at most so many of each class.
+pub(super) fn rays_of_picture(
+    scene: &Scene,
+    tracer: &dyn Tracer,
+    picture: &Settings,
+    limit: usize,
+) -> Vec<RaySet> {
+    let recorder = Recorder::new(limit, &|| false);
+    render(scene, tracer, picture, &recorder);
+    recorder.sets(scene)
+}
+
 /// Renders, and records the rays on the way.
 fn render_recorded<'a>(
     context: &SceneContext<'a>,

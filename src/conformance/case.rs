@@ -5,8 +5,8 @@ use std::ops::Range;
 use glam::Vec3;
 
 use crate::accel::{
-    Accel, AnyHit, BuildConfig, BuildOptions, ClosestHit, Exhaustive, Indexed, Primitives, Quality,
-    Query, Scratch,
+    Accel, AnyHit, BuildConfig, BuildOptions, ClosestHit, Exhaustive, Indexed, Moved, Primitives,
+    Quality, Query, Scratch,
 };
 use crate::counters::{Counts, NoCounters};
 use crate::math::{Hit, Ray};
@@ -29,17 +29,26 @@ const SECOND_END: usize = 16;
 /// Triangles, in packs or one by one.
 pub(super) trait Triangles: Primitives {
     fn of(mesh: &Mesh) -> Self;
+    fn set(&mut self) -> &mut TriangleSet;
 }
 
 impl Triangles for TriangleSet {
     fn of(mesh: &Mesh) -> Self {
         Self::new(&mesh.positions, &mesh.triangles)
     }
+
+    fn set(&mut self) -> &mut TriangleSet {
+        self
+    }
 }
 
 impl Triangles for OneByOne {
     fn of(mesh: &Mesh) -> Self {
         Self(TriangleSet::of(mesh))
+    }
+
+    fn set(&mut self) -> &mut TriangleSet {
+        &mut self.0
     }
 }
 
@@ -68,12 +77,17 @@ impl Case<'_> {
             1.0 => &[Quality::Fastest, Quality::Medium, Quality::Slowest],
             _ => &[Quality::Medium],
         };
+        let built = qualities.iter().map(|&quality| (quality, false));
+        let refitted = A::REFITS.then_some((Quality::Medium, true));
         let mut compared = 0;
-        for &quality in qualities {
+        for (quality, refit) in built.chain(refitted) {
             if compared > 0 && ended() {
                 return Ok(made.summary(compared, false));
             }
-            let own = indexed::<P, A>(&moved, quality, options);
+            let own = match refit {
+                true => refitted_to::<P, A>(&moved, quality, options),
+                false => indexed::<P, A>(&moved, quality, options),
+            };
             let mut from = 0;
             while let Some(slice) = made.slice_from(from) {
                 // A slow structure is to end soon, so its rays are traced alone before they are in one call.
@@ -86,7 +100,8 @@ impl Case<'_> {
                         let MadeRays { rays, expected, .. } = &made;
                         let got = answers(&own, &rays[part.clone()], way);
                         if let Some((i, got)) = first_unlike(part, &got, expected) {
-                            return Err(self.difference(quality, way, rays[i], expected[i], got));
+                            let made = (quality, refit);
+                            return Err(self.difference(made, way, rays[i], expected[i], got));
                         }
                     }
                 }
@@ -99,14 +114,14 @@ impl Case<'_> {
 
     fn difference(
         &self,
-        quality: Quality,
+        (quality, refitted): (Quality, bool),
         way: Way,
         ray: Ray,
         expected: Answer,
         got: Answer,
     ) -> FirstDifference {
-        let Self { mesh, scale, offset } = *self;
-        FirstDifference { mesh: mesh.name, scale, offset, quality, way, ray, expected, got }
+        let Self { mesh: &Mesh { name: mesh, .. }, scale, offset } = *self;
+        FirstDifference { mesh, scale, offset, quality, refitted, way, ray, expected, got }
     }
 }
 
@@ -179,6 +194,28 @@ pub(super) fn indexed<P: Triangles, A: Accel>(
 ) -> Indexed<P, A> {
     let config = BuildConfig { quality, options: options.clone(), ..BuildConfig::default() };
     Indexed::build(P::of(mesh), &config)
+}
+
+/// A structure that was built for the mesh with its vertices in each other's places, and has followed them to their own
+/// in two steps.
+fn refitted_to<P: Triangles, A: Accel>(
+    mesh: &Mesh,
+    quality: Quality,
+    options: &BuildOptions,
+) -> Indexed<P, A> {
+    let count = mesh.positions.len();
+    let stirred = |by: usize| Mesh {
+        positions: (0..count).map(|i| mesh.positions[(i + by * (1 + i % 5)) % count]).collect(),
+        triangles: mesh.triangles.clone(),
+        ..*mesh
+    };
+    let mut own = indexed::<P, A>(&stirred(3), quality, options);
+    for Mesh { positions, triangles, .. } in [stirred(1), stirred(0)] {
+        let change = |own: &mut P| own.set().move_to(&positions, &triangles);
+        let done = own.refit(Moved::All, change, |own, bounds| own.set().settle(bounds));
+        done.unwrap_or_else(|error| panic!("the triangles have moved: {error}"));
+    }
+    own
 }
 
 pub(super) fn answers<P: Primitives, A: Accel>(

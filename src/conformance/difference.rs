@@ -18,6 +18,8 @@ pub struct FirstDifference {
     pub offset: Vec3,
     /// How the structure was to be built.
     pub quality: Quality,
+    /// Whether it was built for the same triangles in other places, and has followed them.
+    pub refitted: bool,
     /// How the ray was searched for.
     pub way: Way,
     /// The ray.
@@ -58,9 +60,10 @@ impl fmt::Display for FirstDifference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { mesh, scale, offset, ray, .. } = self;
         let (quality, way) = (self.quality.name(), self.way);
+        let refitted = if self.refitted { " and refitted" } else { "" };
         writeln!(
             f,
-            "mesh `{mesh}` times {scale:e} plus {offset}, built `{quality}`, traced {way}: {ray:?}"
+            "mesh `{mesh}` times {scale:e} plus {offset}, built `{quality}`{refitted}, traced {way}: {ray:?}"
         )?;
         writeln!(f, "  got      {}", self.got)?;
         write!(f, "  expected {}", self.expected)

@@ -21,6 +21,7 @@ mod html;
 mod json;
 mod limits;
 mod markdown;
+mod motion;
 pub(crate) mod numbers;
 mod plot;
 mod sampling_verdict;
@@ -35,6 +36,7 @@ use crate::record::Comparison;
 
 pub use json::{ReadError, read as read_json};
 pub use markdown::table_lines as markdown_table;
+pub use motion::MotionReport;
 pub use tables::{Cell, Column, Table};
 pub(crate) use terminal::table_lines as terminal_table;
 

@@ -5,6 +5,7 @@
 //! each mesh. The world finds what rays hit; the scene has what a hit means.
 
 mod camera;
+mod change;
 mod compile;
 #[cfg(feature = "embree")]
 mod embree;
@@ -34,6 +35,7 @@ use crate::shapes::Single;
 pub use crate::shapes::EndPointOverlap;
 
 pub use camera::Camera;
+pub use change::SceneChange;
 pub use error::{BuildError, SceneError};
 pub use foreign::{ForeignBuild, ForeignBytes, ForeignTracer, TriangleObject};
 pub use lights::Light;

@@ -9,6 +9,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{Vec3, Vec3A};
+use rayon::prelude::*;
 
 use crate::accel::{Accel, Bounded, Indexed, NoPacks, Primitives, Query, Scratch};
 use crate::counters::Counters;
@@ -17,7 +18,7 @@ use crate::math::{Aabb, BoxRay, NONE, Padding, Ray, RayToObject};
 use crate::shapes::{Instance, Single, TriangleSet};
 
 use super::mesh_rays::{test_mesh, test_mesh_many};
-use super::{Object, Scene};
+use super::{Object, Scene, SceneChange};
 
 /// Paddings grow with how much a transform amplifies rounding, up to this: beyond, an object is so
 /// nearly flat that its own hits are noise.
@@ -32,6 +33,8 @@ pub struct ObjectList<A> {
     singles: Vec<Single>,
     meshes: Vec<Arc<Indexed<TriangleSet, A>>>,
     padding: Padding,
+    /// The slot of each object, once objects have moved.
+    slots: Vec<u32>,
 }
 
 /// An object as a ray meets it. Small: there may be millions.
@@ -66,6 +69,7 @@ impl<A: Accel> ObjectList<A> {
             singles: Vec::new(),
             meshes: meshes.to_vec(),
             padding: Padding { largest: scene.bounds().largest_coordinate(), factor: 1.0 },
+            slots: Vec::new(),
         };
         let mut amplification = 1.0;
         for (id, object) in scene.objects.iter().enumerate() {
@@ -77,6 +81,70 @@ impl<A: Accel> ObjectList<A> {
         }
         list.padding.factor = amplification.min(LARGEST_AMPLIFICATION) as f32;
         list
+    }
+
+    /// Takes the meshes out, for as long as they change, and puts others in.
+    pub(super) fn swap_meshes(&mut self, meshes: &mut Vec<Arc<Indexed<TriangleSet, A>>>) {
+        std::mem::swap(&mut self.meshes, meshes);
+    }
+
+    /// The slots of some objects.
+    pub(super) fn slots_of(&mut self, objects: &[u32]) -> Vec<u32> {
+        if self.slots.len() != self.objects.len() {
+            self.slots = vec![0; self.objects.len()];
+            for (slot, object) in (0..).zip(&self.objects) {
+                self.slots[object.id as usize] = slot;
+            }
+        }
+        objects.iter().map(|&object| self.slots[object as usize]).collect()
+    }
+
+    /// Moves objects to where they are now; [`settle`](Self::settle) is to follow. `slots` are those of the objects
+    /// that have moved.
+    pub(super) fn move_to(&mut self, change: &SceneChange<'_>, slots: &[u32]) {
+        for (&id, &slot) in change.objects.iter().zip(slots) {
+            let object = &change.after.objects[id as usize];
+            let stored = &mut self.objects[slot as usize];
+            stored.corners = object.corners;
+            if let (StoredForm::Single(place), Shape::Single(single)) = (stored.form, object.shape)
+            {
+                self.singles[place as usize] = single;
+            }
+            match change.after.transform_of(object).map(|transform| transform.ray_to_object()) {
+                None => stored.to_object = NONE,
+                Some(to_object) => match self.to_object.get_mut(stored.to_object as usize) {
+                    Some(place) => *place = to_object,
+                    None => stored.to_object = push(&mut self.to_object, to_object),
+                },
+            }
+        }
+        self.padding.factor = self.factor(change);
+    }
+
+    /// The factor of the padding: that of a list of the scene as it is, to the bit. Unless one of the objects that have
+    /// moved had the largest amplification, no other needs to be looked at.
+    fn factor(&self, change: &SceneChange<'_>) -> f32 {
+        let of = |scene: &Scene, id: u32| {
+            let transform = scene.transform_of(&scene.objects[id as usize]);
+            transform.map_or(1.0, |transform| transform.amplification())
+        };
+        let cut = |amplification: f64| amplification.min(LARGEST_AMPLIFICATION) as f32;
+        let moved = change.objects.iter();
+        let was_largest = |&id: &u32| cut(of(change.before, id)) >= self.padding.factor;
+        if self.padding.factor > 1.0 && moved.clone().any(was_largest) {
+            let all = 0..change.after.objects.len() as u32;
+            return cut(all
+                .into_par_iter()
+                .map(|id| of(change.after, id))
+                .reduce(|| 1.0, f64::max));
+        }
+        let largest = moved.map(|&id| of(change.after, id)).fold(1.0, f64::max);
+        self.padding.factor.max(cut(largest))
+    }
+
+    /// Takes note of the box around all objects after they were moved.
+    pub(super) fn settle(&mut self, bounds: &Aabb) {
+        self.padding.largest = bounds.largest_coordinate();
     }
 
     fn place(&mut self, id: u32, object: &Object, to_object: Option<RayToObject>) {

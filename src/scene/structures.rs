@@ -41,6 +41,7 @@ pub struct Structure {
     options: &'static BuildOptions,
     /// The bytes that a build takes for each triangle of a mesh, and for each object.
     build_bytes: [u64; 2],
+    refits: bool,
     build: BuildFunction,
     /// What structures that give equal hits can do beside; none for peers.
     equal: Option<EqualHits>,
@@ -79,6 +80,7 @@ impl Structure {
             offered: [T::OPTIONS, O::OPTIONS],
             options: NO_OPTIONS,
             build_bytes: [PACKED_TRIANGLE + T::BUILD_BYTES, LISTED_OBJECT + O::BUILD_BYTES],
+            refits: O::REFITS && T::REFITS,
             build: |scene, config| Ok(Box::new(World::<O, T>::build(scene, config))),
             equal: Some(EqualHits {
                 index: |triangles, config| Box::new(Indexed::<_, T>::build(triangles, config)),
@@ -102,6 +104,7 @@ impl Structure {
             offered: [F::OPTIONS, &[]],
             options: NO_OPTIONS,
             build_bytes: [PACKED_TRIANGLE, 0],
+            refits: false,
             build: |scene, config| Ok(Box::new(ForeignWorld::<F>::build(scene, config)?)),
             equal: None,
         }
@@ -117,6 +120,12 @@ impl Structure {
     #[must_use]
     pub fn base_name(&self) -> &'static str {
         self.base_name
+    }
+
+    /// Whether it can follow a scene that moves ([`TracedWorld::refit`]).
+    #[must_use]
+    pub fn can_refit(&self) -> bool {
+        self.refits
     }
 
     /// The options that it offers, each name once.

@@ -1,17 +1,20 @@
 //! A scene with a structure over it, on two levels.
 
+use std::convert::Infallible;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use crate::accel::{
-    Accel, Answers, BuildConfig, BuildStages, Indexed, OptionInfo, Scratch, StructureShape, Tracer,
+    Accel, Answers, BuildConfig, BuildStages, Indexed, Moved, OptionInfo, Scratch, StructureShape,
+    Tracer,
 };
+use crate::assets::MeshData;
 use crate::counters::Counts;
 use crate::description::Shape;
-use crate::math::{NONE, Ray};
+use crate::math::{Aabb, NONE, Ray};
 use crate::shapes::{EndPointOverlap, OVERLAP_SAMPLES, TriangleSet, end_point_overlap};
 
-use super::{Object, ObjectList, Scene};
+use super::{Object, ObjectList, Scene, SceneChange};
 
 /// A scene indexed by `O` over its objects and by `T` over the triangles of each mesh.
 #[derive(Clone, Debug)]
@@ -49,6 +52,14 @@ pub trait TracedWorld: Tracer {
     /// What building it took and gave.
     fn build_report(&self) -> BuildReport;
 
+    /// Follows a scene that has moved, from the frame that it was built or refitted for: boxes are moved, nothing is
+    /// built. Whether that was possible; if it was not, it must be built anew. The answers are those of a world that
+    /// is built for the scene as it is, bit for bit.
+    fn refit(&mut self, change: &SceneChange<'_>) -> bool {
+        let _ = change;
+        false
+    }
+
     /// The end-point overlap of the trees over the meshes, added up, each mesh once; `None` where
     /// there is no tree or no mesh. Of large meshes some triangles are chosen, by `seed`.
     fn end_point_overlap(&self, seed: u64) -> Option<EndPointOverlap>;
@@ -77,15 +88,52 @@ impl<O: Accel, T: Accel> World<O, T> {
         let over_objects = Instant::now();
         let objects = Indexed::build(ObjectList::new(scene, &meshes), &config);
         stages.add("objects", over_objects.elapsed() - objects.check_time());
-        let only_mesh = match scene.objects[..] {
-            [Object { shape: Shape::Mesh { mesh, .. }, transform: NONE, .. }] => {
-                Some(Arc::clone(&meshes[mesh]))
-            }
-            _ => None,
-        };
+        let only_mesh = only_mesh(scene).map(|mesh| Arc::clone(&meshes[mesh]));
         let check_time =
             objects.check_time() + meshes.iter().map(|mesh| mesh.check_time()).sum::<Duration>();
         Self { objects, meshes, only_mesh, build_time: start.elapsed() - check_time, stages }
+    }
+}
+
+/// The mesh that is all of a scene, in the world's own space.
+fn only_mesh(scene: &Scene) -> Option<usize> {
+    match scene.objects[..] {
+        [Object { shape: Shape::Mesh { mesh, .. }, transform: NONE, .. }] => Some(mesh),
+        _ => None,
+    }
+}
+
+impl<O: Accel, T: Accel> World<O, T> {
+    /// Lets the meshes that have changed follow, then the objects. `None` if a mesh cannot be traced where it is now,
+    /// or is held by another world too.
+    fn follow(&mut self, change: &SceneChange<'_>) -> Option<()> {
+        let Self { objects, meshes, only_mesh: only, .. } = self;
+        // Each mesh is held in three places: it is changed where it stands, once nothing else holds it.
+        *only = None;
+        let mut held = Vec::new();
+        let slots = objects.primitives_mut().slots_of(&change.objects);
+        objects.primitives_mut().swap_meshes(&mut held);
+        held.clear();
+        for &mesh in &change.meshes {
+            let MeshData { positions, triangles, .. } = &*change.after.meshes()[mesh];
+            let indexed = Arc::get_mut(&mut meshes[mesh])?;
+            let change = |set: &mut TriangleSet| set.move_to(positions, triangles);
+            indexed.refit(Moved::All, change, TriangleSet::settle).ok()?;
+        }
+        objects.primitives_mut().swap_meshes(&mut meshes.clone());
+        *only = only_mesh(change.after).map(|mesh| Arc::clone(&meshes[mesh]));
+        if !slots.is_empty() {
+            let move_objects = |list: &mut ObjectList<T>| {
+                list.move_to(change, &slots);
+                Ok(())
+            };
+            let settle = |list: &mut ObjectList<T>, bounds: &Aabb| {
+                list.settle(bounds);
+                Ok(())
+            };
+            objects.refit::<Infallible>(Moved::Slots(&slots), move_objects, settle).ok()?;
+        }
+        Some(())
     }
 }
 
@@ -109,6 +157,10 @@ impl<O: Accel, T: Accel> Tracer for World<O, T> {
 }
 
 impl<O: Accel, T: Accel> TracedWorld for World<O, T> {
+    fn refit(&mut self, change: &SceneChange<'_>) -> bool {
+        O::REFITS && T::REFITS && self.follow(change).is_some()
+    }
+
     fn build_report(&self) -> BuildReport {
         let mut meshes = StructureShape::default();
         let (mut triangles, mut triangle_bytes) = (0, 0);

@@ -7,7 +7,7 @@ use std::collections::{HashMap, TryReserveError};
 use glam::DAffine3;
 
 use crate::description::{
-    Light, Material, MeshReference, Object, Options, SceneDescription, Shape, Span,
+    Deformation, Light, Material, MeshReference, Object, Options, SceneDescription, Shape, Span,
 };
 use crate::math::Transform;
 
@@ -30,7 +30,11 @@ pub(super) struct SceneBuilder {
     materials: Vec<Material>,
     material_ids: HashMap<[u32; 12], usize>,
     meshes: Vec<MeshReference>,
-    mesh_ids: HashMap<String, usize>,
+    mesh_ids: HashMap<(String, [u64; 5]), usize>,
+    /// The meshes that lines name, whether these lines are carried out or not.
+    named: Vec<MeshReference>,
+    /// The first and the last frame of all keys.
+    keyed: Option<[f64; 2]>,
     /// The first degenerate triangle, and how many there are.
     degenerate: Option<(Span, usize)>,
     memory: Option<u64>,
@@ -50,7 +54,7 @@ impl SceneBuilder {
 
     /// What is wrong with a text that is no valid scene.
     pub(super) fn into_invalid(self) -> Invalid {
-        Invalid { diagnostics: self.diagnostics, meshes: self.meshes }
+        Invalid { diagnostics: self.diagnostics, meshes: self.named }
     }
 
     /// How many errors there are.
@@ -71,6 +75,38 @@ impl SceneBuilder {
     /// The material in force, to be changed.
     pub(super) fn material(&mut self) -> &mut Material {
         self.scopes.material()
+    }
+
+    /// The deformation in force, to be changed.
+    pub(super) fn deformation(&mut self) -> &mut Deformation {
+        self.scopes.deformation()
+    }
+
+    /// The frame that the scene is read for.
+    pub(super) fn begin_at(&mut self, frame: u32) {
+        *self.scopes.clock() = f64::from(frame);
+    }
+
+    /// The time that keys are looked up at, in frames.
+    pub(super) fn clock(&mut self) -> f64 {
+        *self.scopes.clock()
+    }
+
+    /// What follows happens later, by so many frames.
+    pub(super) fn delay(&mut self, frames: f64) {
+        *self.scopes.clock() -= frames;
+    }
+
+    /// What follows happens again after so many frames.
+    pub(super) fn recur(&mut self, frames: f64) {
+        let clock = self.scopes.clock();
+        *clock = clock.rem_euclid(frames);
+    }
+
+    /// Notes the first and the last frame of a command's keys.
+    pub(super) fn note_keys(&mut self, [first, last]: [f64; 2]) {
+        let [low, high] = self.keyed.unwrap_or([first, last]);
+        self.keyed = Some([low.min(first), high.max(last)]);
     }
 
     /// The transform in force: object space to world space.
@@ -158,14 +194,21 @@ impl SceneBuilder {
         *count += 1;
     }
 
-    /// The index of the mesh of a name, new or not.
-    pub(super) fn mesh_id(&mut self, name: &str, span: Span) -> usize {
-        if let Some(id) = self.mesh_ids.get(name) {
-            return *id;
+    /// Notes that a line names a mesh.
+    pub(super) fn note_mesh(&mut self, name: &str, span: Span) {
+        if self.named.iter().all(|mesh| mesh.name != name) {
+            let deformation = Deformation::default();
+            self.named.push(MeshReference { name: name.to_owned(), deformation, span });
         }
-        self.meshes.push(MeshReference { name: name.to_owned(), span });
-        self.mesh_ids.insert(name.to_owned(), self.meshes.len() - 1);
-        self.meshes.len() - 1
+    }
+
+    /// The index of the mesh of a name as the deformation in force makes it, new or not.
+    pub(super) fn mesh_id(&mut self, name: &str, span: Span) -> usize {
+        let deformation = *self.scopes.deformation();
+        *self.mesh_ids.entry((name.to_owned(), deformation.key())).or_insert_with(|| {
+            self.meshes.push(MeshReference { name: name.to_owned(), deformation, span });
+            self.meshes.len() - 1
+        })
     }
 
     /// How many objects and lights there are.
@@ -220,7 +263,7 @@ impl SceneBuilder {
             objects: self.objects,
             lights: self.lights,
         };
-        Ok(Parsed { description, warnings: self.diagnostics })
+        Ok(Parsed { description, keyed_frames: self.keyed, warnings: self.diagnostics })
     }
 
     fn warn_of_degenerate_triangles(&mut self) {

@@ -5,9 +5,9 @@
 //! is data, which [`render_diagnostics`] turns into text.
 //!
 //! Files import only files after them in this list: `parser` (line after line), `header` and
-//! `suggest`, `commands` (the table), `repeat`, `action` (a row of the table), `builder` (the scene
-//! so far), `scopes` and `camera_draft` (parts of it), `values` (of a command), `command`, `lexer`,
-//! `diagnostic`, `precision`, `text`. `render` needs only the last ones.
+//! `suggest`, `commands` (the table), `repeat`, `keys` (values by frame), `action` (a row of the
+//! table), `builder` (the scene so far), `scopes` and `camera_draft` (parts of it), `values` (of a
+//! command), `command`, `lexer`, `diagnostic`, `precision`, `text`. `render` needs only the last ones.
 //!
 //! # The format
 //! The first line starts with `sce1.0`. Then one command a line: a keyword and its values, separated
@@ -28,6 +28,7 @@
 //!   1 or negative, as in the original; reflectances above 1 are warned of.
 //! * A `{` or `push_matrix` that is left open, or a closing one too many, is an error; a `}` closes
 //!   what was pushed within its braces, with an error, and a `pop_matrix` never reaches out of them.
+//! * Keys of one command follow each other directly; comments and empty lines may stand between them.
 //! * A triangle whose corners lie on one line is left out, with one warning for all of them.
 //!
 //! ```
@@ -47,6 +48,7 @@ mod command;
 mod commands;
 mod diagnostic;
 mod header;
+mod keys;
 mod lexer;
 mod parser;
 mod precision;
@@ -69,8 +71,10 @@ use crate::description::{MeshReference, SceneDescription};
 /// A scene, and the warnings about it.
 #[derive(Clone, Debug)]
 pub struct Parsed {
-    /// The scene.
+    /// The scene, in the frame that was asked for.
     pub description: SceneDescription,
+    /// The first and the last frame of all keys, as they are written; `None` of a scene that stands still.
+    pub keyed_frames: Option<[f64; 2]>,
     /// Warnings, in the order of the text.
     pub warnings: Vec<Diagnostic>,
 }

@@ -9,7 +9,7 @@ use crate::description::{Light, Object, Span};
 use super::action::{Addition, SceneAction};
 use super::builder::SceneBuilder;
 use super::diagnostic::Diagnostic;
-use super::values::Values;
+use super::keys::Arguments;
 
 /// The most iterations of one `repeat`, and the most objects and lights of a scene with `repeat`.
 pub(super) const MOST_ENTITIES: u32 = 1 << 24;
@@ -33,7 +33,7 @@ struct Repeat<'s> {
 }
 
 enum RepeatStep<'s> {
-    Command(SceneAction, Values<'s>),
+    Command(SceneAction, Arguments<'s>),
     Repeat(Repeat<'s>),
 }
 
@@ -43,11 +43,11 @@ impl<'s> OpenRepeats<'s> {
         &mut self,
         scene: &mut SceneBuilder,
         action: SceneAction,
-        values: Values<'s>,
+        arguments: Arguments<'s>,
     ) {
         match self.0.last_mut() {
-            Some(repeat) => repeat.steps.push(RepeatStep::Command(action, values)),
-            None => (action.apply)(scene, &values),
+            Some(repeat) => repeat.steps.push(RepeatStep::Command(action, arguments)),
+            None => arguments.apply(action, scene),
         }
     }
 
@@ -206,7 +206,7 @@ impl Repeat<'_> {
             scene.begin_iteration(self.opened.clone());
             for step in &self.steps {
                 match step {
-                    RepeatStep::Command(action, values) => (action.apply)(scene, values),
+                    RepeatStep::Command(action, arguments) => arguments.apply(*action, scene),
                     RepeatStep::Repeat(repeat) => repeat.run(scene, ended),
                 }
             }

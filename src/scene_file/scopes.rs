@@ -1,17 +1,17 @@
-//! The material and the transform in force, and the scopes that restore them.
+//! The material, the transform, the deformation and the clock in force, and the scopes that restore them.
 //!
-//! `{` saves material and transform, `push_matrix` the transform alone. Scopes nest: a `}` closes
+//! `{` saves all of it, `push_matrix` the transform alone. Scopes nest: a `}` closes
 //! the innermost `{`; a `push_matrix` that is still open within it is an error, and is closed with
 //! it. A `pop_matrix` never closes anything outside the braces around it, and nothing in an
 //! iteration of a `repeat` closes anything outside of it.
 
 use glam::DAffine3;
 
-use crate::description::{Material, Span};
+use crate::description::{Deformation, Material, Span};
 
 use super::diagnostic::Diagnostic;
 
-/// The material and the transform in force, and the scopes that are open.
+/// What is in force, and the scopes that are open.
 #[derive(Default)]
 pub(super) struct Scopes {
     current: State,
@@ -19,10 +19,13 @@ pub(super) struct Scopes {
     open: Vec<Scope>,
 }
 
-/// A material and a transform.
+/// What is in force.
 #[derive(Clone, Default)]
 struct State {
     material: Material,
+    deformation: Deformation,
+    /// The frame, as what follows sees it: delays and periods are taken into account.
+    clock: f64,
     /// Object space to world space.
     transform: DAffine3,
     /// The last command that changed the transform.
@@ -51,6 +54,16 @@ impl Scopes {
     /// The material in force.
     pub(super) fn material(&mut self) -> &mut Material {
         &mut self.current.material
+    }
+
+    /// The deformation in force.
+    pub(super) fn deformation(&mut self) -> &mut Deformation {
+        &mut self.current.deformation
+    }
+
+    /// The clock in force, in frames.
+    pub(super) fn clock(&mut self) -> &mut f64 {
+        &mut self.current.clock
     }
 
     /// The transform in force: object space to world space.
@@ -116,8 +129,8 @@ impl Scopes {
         let Some(matrix) = self.open.pop_if(|scope| scope.kind == ScopeKind::Matrix) else {
             return Some(self.unbalanced_pop(here.clone()));
         };
-        let material = self.current.material;
-        self.current = State { material, ..matrix.saved };
+        let State { material, deformation, clock, .. } = self.current;
+        self.current = State { material, deformation, clock, ..matrix.saved };
         None
     }
 
@@ -143,7 +156,7 @@ impl Scopes {
     }
 
     /// Ends an iteration of a `repeat`: closes what is open within it, and gives back what is wrong.
-    /// Material and transform stay in force.
+    /// What is in force stays.
     pub(super) fn end_iteration(&mut self, end: &Span) -> Vec<Diagnostic> {
         let is_iteration = |scope: &Scope| scope.kind == ScopeKind::Iteration;
         let Some(begin) = self.open.iter().rposition(is_iteration) else { return Vec::new() };

@@ -69,6 +69,19 @@ impl Values<'_> {
         self.vector(index).as_vec3()
     }
 
+    /// These values on the way to others of the same command, a share of the way from them; exactly these for 0.
+    /// The places are of these.
+    pub(super) fn towards(&self, other: &Self, share: f64) -> Self {
+        // Rounding leads beyond neither end, so that what lies between two bounds stays there.
+        let between = |(&a, &b): (&f64, &f64)| (a + share * (b - a)).clamp(a.min(b), a.max(b));
+        Self {
+            keyword: self.keyword.clone(),
+            spans: self.spans.clone(),
+            numbers: self.numbers.iter().zip(&other.numbers).map(between).collect(),
+            name: self.name,
+        }
+    }
+
     /// Three numbers from an index on, if they are a vector with a direction.
     pub(super) fn nonzero_vector(&self, index: usize) -> Option<DVec3> {
         Some(self.vector(index)).filter(|vector| !is_zero_vector(*vector))
@@ -149,7 +162,8 @@ fn count_message(command: &SceneCommand, found: usize) -> String {
     format!("`{}` takes {takes}, found {found}", command.keyword)
 }
 
-fn too_few(command: &SceneCommand, keyword: Word<'_>, words: &[Word<'_>]) -> Diagnostic {
+/// What is wrong where values are missing.
+pub(super) fn too_few(command: &SceneCommand, keyword: Word<'_>, words: &[Word<'_>]) -> Diagnostic {
     let end = words.last().unwrap_or(&keyword).end();
     let missing: Vec<_> =
         command.values[words.len()..].iter().map(|v| format!("`{}`", v.name)).collect();
@@ -184,7 +198,11 @@ fn surplus(
 }
 
 /// A finite number that the command takes here.
-fn number(command: &SceneCommand, value: &Value, word: Word<'_>) -> Result<f64, Diagnostic> {
+pub(super) fn number(
+    command: &SceneCommand,
+    value: &Value,
+    word: Word<'_>,
+) -> Result<f64, Diagnostic> {
     // Formatted only where something is wrong: this runs for every number of a scene.
     let what = || format!("`{}` of `{}`", value.name, command.keyword);
     let Ok(number) = word.text.parse::<f64>() else {

@@ -40,6 +40,14 @@ pub enum MeshError {
         /// The longest side of the box around them.
         side: f32,
     },
+    /// Other triangles than those that are to be moved.
+    #[error("{triangles} triangles are none that have moved: there were {before}")]
+    OtherTriangles {
+        /// How many there are.
+        triangles: usize,
+        /// How many there were.
+        before: usize,
+    },
     /// More than ids can name.
     #[error("{triangles} triangles are too many: 2^32 - 1 is the most")]
     TooMany {

@@ -121,6 +121,52 @@ impl TriangleSet {
         Ok(self)
     }
 
+    /// Moves the triangles, in whatever order they stand: the same triangles of the mesh, with its vertices elsewhere.
+    /// [`settle`](Self::settle) is to follow.
+    ///
+    /// # Errors
+    /// As of [`try_new`](Self::try_new), without the range. Then the triangles are of no further use.
+    pub fn move_to(&mut self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Result<(), MeshError> {
+        let sound = AtomicBool::new(triangles.len() == self.count as usize);
+        self.packs.par_iter_mut().with_min_len(1 << 9).for_each(|pack| {
+            for lane in 0..PACK {
+                let prim = pack.prim[lane];
+                if prim == NONE {
+                    continue;
+                }
+                let corners = triangles.get(prim as usize).and_then(|corners| {
+                    let [a, b, c] = corners.map(|i| positions.get(i as usize).copied());
+                    Some(Triangle::new([a?, b?, c?])).filter(Triangle::is_finite)
+                });
+                match corners {
+                    Some(triangle) => pack.set(lane, &triangle, prim),
+                    None => sound.store(false, Ordering::Relaxed),
+                }
+            }
+        });
+        if !sound.into_inner() {
+            let wrong = MeshError::of_first(positions, triangles);
+            return Err(wrong.unwrap_or(MeshError::OtherTriangles {
+                triangles: triangles.len(),
+                before: self.count as usize,
+            }));
+        }
+        self.mean_vertex = extent::mean_vertex(positions, triangles);
+        Ok(())
+    }
+
+    /// Takes note of the box around all triangles after they were moved.
+    ///
+    /// # Errors
+    /// If it is out of the range of triangles.
+    pub fn settle(&mut self, bounds: &Aabb) -> Result<(), MeshError> {
+        if let Some(error) = MeshError::of_bounds(bounds) {
+            return Err(error);
+        }
+        self.padding = Padding::of_bounds(bounds);
+        Ok(())
+    }
+
     /// How many triangles there are, copies not counted.
     #[must_use]
     pub fn triangle_count(&self) -> u32 {

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
+mod animate;
 mod arguments;
 mod check;
 mod compare;
@@ -9,6 +10,7 @@ mod conformance;
 mod diff;
 #[cfg(target_os = "linux")]
 mod faults;
+mod frames;
 #[cfg(unix)]
 mod interrupt;
 mod mesh;

@@ -38,9 +38,14 @@ pub(crate) fn stem(path: &Path) -> String {
 
 /// A scene from its file.
 pub(crate) fn load(path: &Path) -> Scene {
+    load_frame(path, 0)
+}
+
+/// A frame of a scene from its file.
+pub(crate) fn load_frame(path: &Path, frame: u32) -> Scene {
     let text = fs::read_to_string(path).expect("the scene can be read");
     let folder = path.parent().expect("a file is in a folder");
-    compiled(&text, &path.to_string_lossy(), folder)
+    compiled_frame(&text, &path.to_string_lossy(), folder, frame)
 }
 
 /// A scene from its text, the first line left out.
@@ -50,7 +55,11 @@ pub(crate) fn scene(text: &str) -> Scene {
 
 /// A scene from its whole text, of which the meshes are in a folder.
 pub(crate) fn compiled(text: &str, name: &str, folder: &Path) -> Scene {
-    let parsed = parse(text, &ParseOptions::default())
+    compiled_frame(text, name, folder, 0)
+}
+
+fn compiled_frame(text: &str, name: &str, folder: &Path, frame: u32) -> Scene {
+    let parsed = parse(text, &ParseOptions { frame, ..ParseOptions::default() })
         .unwrap_or_else(|d| panic!("{}", render_diagnostics(&d, text, name, false)));
     let meshes = load_meshes(&parsed.description.meshes, folder).expect("the meshes load");
     Scene::new(&parsed.description, meshes).expect("the scene compiles")

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::{DAffine3, DQuat, DVec3, Vec3};
+use glam::{DAffine3, DQuat, DVec3, Vec3, Vec3Swizzles};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use srt::accel::{BuildConfig, Quality};
 use srt::assets::MeshData;
@@ -13,7 +13,7 @@ use srt::description::{
     Camera, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape,
 };
 use srt::math::{Color, Random, Ray};
-use srt::scene::{STRUCTURES, Scene};
+use srt::scene::{STRUCTURES, Scene, SceneChange};
 use srt::shapes::{Ball, Cylinder, Single, Triangle};
 
 use crate::{assert_equal, for_this_isa, trace};
@@ -44,6 +44,52 @@ fn many_objects_of_all_forms_in_a_deep_tree() {
     });
 }
 
+#[test]
+fn scenes_that_move_after_refits() {
+    let cases: Vec<_> =
+        (0..6).flat_map(|seed| [1e-3, 1.0, 1e6].map(|scale| (seed, scale))).collect();
+    let compared: usize = cases
+        .par_iter()
+        .with_max_len(1)
+        .map(|&(seed, scale)| {
+            // Of many objects few move in a frame, so that only paths are gone up.
+            compare_frames(seed, scale, 0..300) + compare_frames(seed, scale, 3..4)
+        })
+        .sum();
+    println!("{compared} rays compared, 0 differ");
+    assert!(compared > for_this_isa(60_000), "only {compared} rays were compared");
+}
+
+/// Lets each structure that can follow a scene through some frames, and compares it in each with `none` as it is built
+/// for that frame; returns how many rays.
+fn compare_frames(seed: u64, scale: f64, numbers: Range<usize>) -> usize {
+    let config = BuildConfig::default();
+    let mut scene = random_scene(seed, scale, numbers.clone());
+    let following = STRUCTURES.iter().filter(|structure| structure.can_refit());
+    let mut worlds: Vec<_> =
+        following.map(|structure| (structure.name, structure.build(&scene, &config))).collect();
+    assert_eq!(worlds.iter().map(|(name, _)| *name).collect::<Vec<_>>(), ["none", "bvh", "bvh8"]);
+    let mut compared = 0;
+    for frame in 1..5 {
+        let next = random_frame(seed, scale, numbers.clone(), frame);
+        let change = SceneChange::between(&scene, &next).expect("it is the same scene");
+        assert!(numbers.len() == 1 || change.moved_objects() > 0);
+        for (name, world) in &mut worlds {
+            assert!(world.refit(&change), "{name}, frame {frame}");
+        }
+        let none = STRUCTURES[0].build(&next, &config);
+        let rays = rays_into(&next, seed + frame, for_this_isa(600));
+        let expected = trace(none.as_ref(), &rays);
+        for (name, world) in &worlds {
+            let what = format!("scene {seed} times {scale:e}, frame {frame}: {name}");
+            assert_equal(&what, world.as_ref(), &rays, &expected);
+        }
+        compared += rays.len();
+        scene = next;
+    }
+    compared
+}
+
 /// Compares all structures with the first of the table, `none`; returns how many rays.
 fn compare(scene: &Scene, seed: u64, count: usize) -> usize {
     let worlds: Vec<_> = STRUCTURES
@@ -72,11 +118,29 @@ fn compare(scene: &Scene, seed: u64, count: usize) -> usize {
 
 /// Objects of all forms, many of them touching, some twice in the same place.
 fn random_scene(seed: u64, scale: f64, numbers: Range<usize>) -> Scene {
+    random_frame(seed, scale, numbers, 0)
+}
+
+/// The same, some frames later: one object in nine has moved, another one in each frame; one of the meshes is deformed
+/// in every second frame.
+fn random_frame(seed: u64, scale: f64, numbers: Range<usize>, frame: u64) -> Scene {
     let mut random = Random::new(&[seed]);
     let mut objects: Vec<Object> = numbers.map(|i| random_object(i, scale, &mut random)).collect();
     let doubled: Vec<_> = objects.iter().skip(2).step_by(7).cloned().collect();
     objects.extend(doubled);
-    let meshes = [nasty_meshes::soup(), nasty_meshes::fan()];
+    for moves in 1..=frame {
+        for object in objects.iter_mut().skip(moves as usize % 9).step_by(9) {
+            let mut vector = || random_point(&mut random).as_dvec3();
+            let place = DAffine3::from_translation(0.4 * scale * vector());
+            object.transform =
+                place * DAffine3::from_quat(DQuat::from_scaled_axis(vector())) * object.transform;
+        }
+    }
+    let mut meshes = [nasty_meshes::soup(), nasty_meshes::fan()];
+    let shift = (frame / 2) as f32;
+    for position in &mut meshes[0].positions {
+        *position += 0.2 * shift * position.yzx();
+    }
     let description = SceneDescription {
         camera: Camera {
             eye: DVec3::ZERO,

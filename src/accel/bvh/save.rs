@@ -35,7 +35,7 @@ impl Portable for Bvh {
             let root = (root.count > 0).then_some(root);
             return match root.is_none() && primitives.count() > 0 {
                 true => Err(LoadError::invalid("there are primitives, and no nodes")),
-                false => Ok(Self { nodes: Vec::new(), root }),
+                false => Ok(Self { nodes: Vec::new(), root, paths: None }),
             };
         }
         let mut nodes = input.list(count, |input| read_node(order, input))?;
@@ -47,7 +47,7 @@ impl Portable for Bvh {
             }
         }
         family.finish()?;
-        Ok(Self { nodes, root: Some(Child { first: 0, count: 0 }) })
+        Ok(Self { nodes, root: Some(Child { first: 0, count: 0 }), paths: None })
     }
 }
 

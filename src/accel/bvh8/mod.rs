@@ -5,7 +5,8 @@
 //! (`packet.rs`) and in waves where they are not (`wave.rs`), which `kernels.rs` decides; where
 //! primitives are not tested in packs, a stream of rays is brought to each node and to each primitive
 //! that any of them meets (`stream.rs`). A single ray is walked by [`Accel::traverse`]. So are the
-//! rays that the kernels' terms cannot take, and those of queries that want every hit.
+//! rays that the kernels' terms cannot take, and those of queries that want every hit. Where primitives
+//! move, the boxes follow (`refit.rs`).
 
 mod coherence;
 mod collapse;
@@ -16,6 +17,7 @@ mod node;
 mod packet;
 mod packet_rays;
 mod plan;
+mod refit;
 mod save;
 mod slab_ray;
 mod stream;
@@ -36,9 +38,10 @@ use self::node::{Child, FAR, Node, WIDTH, near_planes, order_shift};
 use self::plan::{Leaves, Plan};
 use self::slab_ray::Sides;
 use super::builder::Builder;
+use super::refit::Paths;
 use super::{
-    Accel, Bounded, Build, Built, OptionInfo, Order, PACK, Packs, Primitives, Query, Scratch,
-    Search, Tree, search_one,
+    Accel, Bounded, Build, Built, Moved, OptionInfo, Order, PACK, Packs, Primitives, Query,
+    Scratch, Search, Tree, search_one,
 };
 
 /// The stack lives with the call up to this height, and on the heap beyond.
@@ -57,6 +60,8 @@ pub struct Bvh8 {
     block: usize,
     /// The most entries that a stack holds at once, whatever the order of the children.
     need: usize,
+    /// The way up, once few primitives among many have moved.
+    paths: Option<Paths>,
 }
 
 const BUILDER: OptionInfo = Builder::option("sah");
@@ -68,6 +73,8 @@ impl Accel for Bvh8 {
 
     const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
 
+    const REFITS: bool = true;
+
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         let Build { config, grain, stages } = build;
         let leaves = Leaves {
@@ -75,7 +82,7 @@ impl Accel for Bvh8 {
             block: if *grain > 1 { PACK } else { 1 },
         };
         if primitives.count() == 0 {
-            let accel = Self { nodes: Vec::new(), block: leaves.block, need: 0 };
+            let accel = Self { nodes: Vec::new(), block: leaves.block, need: 0, paths: None };
             return Built { accel, order: None };
         }
         let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Sah);
@@ -84,7 +91,7 @@ impl Accel for Bvh8 {
         let plan = stages.time("plan", || Plan::new(&tree, leaves));
         let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
         let need = stack_need(&wide.nodes);
-        let accel = Self { nodes: wide.nodes, block: leaves.block, need };
+        let accel = Self { nodes: wide.nodes, block: leaves.block, need, paths: None };
         Built { accel, order: Some(Order::Permutation(wide.order)) }
     }
 
@@ -149,8 +156,13 @@ impl Accel for Bvh8 {
         }
     }
 
+    fn refit<P: Primitives>(&mut self, primitives: &P, moved: Moved<'_>) -> Aabb {
+        refit::refit(self, primitives, moved)
+    }
+
     fn bytes(&self) -> u64 {
-        (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()) as u64
+        let paths = self.paths.as_ref().map_or(0, Paths::bytes);
+        (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>() + paths) as u64
     }
 
     fn tree(&self) -> Option<Tree> {

@@ -54,7 +54,7 @@ impl Portable for Bvh8 {
         }
         family.finish()?;
         let need = stack_need(&nodes);
-        Ok(Self { nodes, block, need })
+        Ok(Self { nodes, block, need, paths: None })
     }
 }
 

@@ -74,7 +74,8 @@ fn every_mesh_that_cannot_be_loaded_is_an_error() {
 fn a_check_generates_nothing() {
     let folder = folder_with(&[]);
     let names = references(&["generate:icosphere:1k", "generate:hall:none", "generate:soup:2"]);
-    let (done, errors) = each(&names, folder.path().into(), |source| source.check());
+    let bytes = |source: &Source<'_>| source.bytes();
+    let (done, errors) = each(&names, folder.path().into(), bytes, |source| source.check());
     assert_eq!(done, [Some(()), None, Some(())]);
     assert_eq!(errors[0].reference, 1);
 }

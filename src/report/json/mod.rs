@@ -4,6 +4,8 @@
 
 mod pretty;
 
+pub(super) use pretty::pretty;
+
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -43,7 +45,7 @@ struct Document<'a> {
 pub(super) fn write(report: &Report<'_>) -> Result<String, serde_json::Error> {
     let document = Document { comparison: report.comparison, derived: &report.analysis };
     let compact = serde_json::to_string(&document)?;
-    Ok(pretty::pretty(&compact) + "\n")
+    Ok(pretty(&compact) + "\n")
 }
 
 /// Reads a record. Unknown fields are ignored, and `derived` among them. In records of version 1, structures that were

@@ -7,7 +7,7 @@
 const WIDTH: usize = 100;
 
 /// Lays valid compact JSON out in lines.
-pub(super) fn pretty(compact: &str) -> String {
+pub(in crate::report) fn pretty(compact: &str) -> String {
     let mut out = String::with_capacity(compact.len() * 2);
     value(compact, 0, 0, &mut out);
     out

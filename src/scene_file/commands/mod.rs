@@ -4,8 +4,10 @@
 //! group. The order is that of the format's description.
 
 pub(super) mod camera;
+mod deformation;
 mod lights;
 mod material;
+mod motion;
 mod objects;
 mod options;
 mod structure;
@@ -21,12 +23,14 @@ pub(super) struct CommandGroup {
 }
 
 /// All commands.
-pub(super) const GROUPS: [CommandGroup; 7] = [
+pub(super) const GROUPS: [CommandGroup; 9] = [
     CommandGroup { name: "camera", rows: camera::ROWS },
     CommandGroup { name: "options", rows: options::ROWS },
     CommandGroup { name: "structure", rows: structure::ROWS },
     CommandGroup { name: "material", rows: material::ROWS },
     CommandGroup { name: "transform", rows: transform::ROWS },
+    CommandGroup { name: "deforming", rows: deformation::ROWS },
+    CommandGroup { name: "motion", rows: motion::ROWS },
     CommandGroup { name: "objects", rows: objects::ROWS },
     CommandGroup { name: "lights", rows: lights::ROWS },
 ];
@@ -54,6 +58,7 @@ pub(super) fn is_keyword(word: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene_file::command::ValueKind;
 
     #[test]
     fn keywords_are_different_and_examples_are_of_their_command() {
@@ -62,7 +67,14 @@ mod tests {
             assert!(all[..i].iter().all(|c| c.keyword != command.keyword));
             let words: Vec<_> = command.example.split_whitespace().collect();
             assert_eq!(words[0], command.keyword);
-            assert_eq!(words.len() - 1, command.values.len(), "{}", command.example);
+            match command.values.last().map(|value| value.kind) {
+                Some(ValueKind::Command) => {
+                    let inner = find(words[command.values.len()]).expect("it is a command");
+                    let after = words.len() - 1 - command.values.len();
+                    assert_eq!(after, inner.command.values.len(), "{}", command.example);
+                }
+                _ => assert_eq!(words.len() - 1, command.values.len(), "{}", command.example),
+            }
             assert!(command.also_called.iter().all(|word| !is_keyword(word)));
         }
     }

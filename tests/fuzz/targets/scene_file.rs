@@ -6,7 +6,9 @@ use std::sync::{Arc, LazyLock};
 use glam::Vec3;
 use libfuzzer_sys::{Corpus, fuzz_mutator, fuzz_target};
 use srt::assets::MeshData;
-use srt::description::{Camera, Light, Options, SceneDescription, Shape};
+use srt::description::{
+    Camera, Deformation, Light, MeshReference, Options, SceneDescription, Shape,
+};
 use srt::scene::Scene;
 use srt::scene_file::{
     Diagnostic, ParseOptions, Parsed, commands, line_column, parse, render_diagnostics, summarize,
@@ -46,8 +48,9 @@ fuzz_target!(|data: &[u8]| -> Corpus {
     Corpus::Keep
 });
 
+/// In a frame that lies between the keys of the examples.
 fn strictly() -> ParseOptions {
-    ParseOptions { lenient: false, memory: Some(MEMORY) }
+    ParseOptions { lenient: false, memory: Some(MEMORY), frame: 7 }
 }
 
 /// A bound on the iterations of all `repeat`s, as if each were within the one before.
@@ -135,7 +138,13 @@ fn check_description(description: &SceneDescription) {
         assert!(!materials[..i].contains(material), "a material twice");
     }
     for (i, mesh) in meshes.iter().enumerate() {
-        assert!(!meshes[..i].iter().any(|other| other.name == mesh.name), "a mesh twice");
+        let same = |other: &MeshReference| {
+            other.name == mesh.name && other.deformation.key() == mesh.deformation.key()
+        };
+        assert!(!meshes[..i].iter().any(same), "a mesh twice");
+        let Deformation { twist, wave, explosion } = mesh.deformation;
+        assert!(twist.is_finite() && explosion >= 0.0 && wave.length > 0.0);
+        assert!(wave.amplitude.is_finite() && wave.phase.is_finite());
     }
     for object in objects {
         assert!(object.material < materials.len());
