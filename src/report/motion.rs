@@ -128,7 +128,7 @@ impl<'a> MotionReport<'a> {
         let mut lines = vec![
             self.proof(),
             format!(
-                "on {}, {} cores, {}; updates on {}, rays on one, the median of {} of interleaved rounds",
+                "on {}, {} cores, {}; updates on {}, rays on one, the median of {}, interleaved",
                 machine.cpu,
                 machine.cores,
                 machine.instruction_set,
