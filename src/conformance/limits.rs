@@ -1,6 +1,6 @@
 //! How long a check may go on, and who watches it.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Is called with how many parts of a check are done, and of how many; from several threads, not always in order.
 pub type Progress<'a> = dyn Fn(usize, usize) + Sync + 'a;
@@ -27,28 +27,34 @@ impl Limits<'_> {
 }
 
 /// The time of a check, in shares for its parts.
-pub(super) struct Shares {
-    start: Instant,
+pub(super) struct Shares<'a> {
+    /// The time since the check began.
+    clock: &'a (dyn Fn() -> Duration + Sync),
     time: Option<Duration>,
 }
 
-impl Shares {
-    /// The time begins.
-    pub(super) fn begin(time: Option<Duration>) -> Self {
-        Self { start: Instant::now(), time }
+impl<'a> Shares<'a> {
+    /// Of so much time, by a clock that shows how long the check has gone on.
+    pub(super) fn new(time: Option<Duration>, clock: &'a (dyn Fn() -> Duration + Sync)) -> Self {
+        Self { clock, time }
     }
 
     /// Whether less than a twentieth is left.
     pub(super) fn is_nearly_spent(&self) -> bool {
-        self.time.is_some_and(|time| self.start.elapsed() >= time / 20 * 19)
+        self.time.is_some_and(|time| (self.clock)() >= time / 20 * 19)
     }
 
-    /// When the part that begins now is to end, if so many in a row are left with it; `None` without a limit.
-    pub(super) fn end_of_next(&self, left: usize) -> Option<Instant> {
-        let rest = self.time?.saturating_sub(self.start.elapsed());
-        let share = rest / u32::try_from(left.max(1)).unwrap_or(u32::MAX);
-        // Beyond what a clock can show there is no limit.
-        Instant::now().checked_add(share)
+    /// When, by the clock, the part that begins now is to end, if so many in a row are left with it; `None` without a
+    /// limit.
+    pub(super) fn end_of_next(&self, left: usize) -> Option<Duration> {
+        let (time, now) = (self.time?, (self.clock)());
+        let share = time.saturating_sub(now) / u32::try_from(left.max(1)).unwrap_or(u32::MAX);
+        Some(now.saturating_add(share))
+    }
+
+    /// Whether a part that is to end then has ended.
+    pub(super) fn is_over(&self, end: Option<Duration>) -> bool {
+        end.is_some_and(|end| (self.clock)() >= end)
     }
 }
 
@@ -58,14 +64,22 @@ mod tests {
 
     #[test]
     fn parts_share_what_is_left() {
-        assert_eq!(Shares::begin(None).end_of_next(3), None);
-        assert_eq!(Shares::begin(Some(Duration::MAX)).end_of_next(1), None);
-        let hour = Shares::begin(Some(Duration::from_secs(3_600)));
-        let share = hour.end_of_next(4).unwrap() - Instant::now();
-        assert!(share > Duration::from_secs(800) && share <= Duration::from_secs(900), "{share:?}");
-        let spent = Shares::begin(Some(Duration::ZERO));
-        assert!(spent.end_of_next(9).unwrap() <= Instant::now());
-        let nearly = [&spent, &hour, &Shares::begin(None)].map(Shares::is_nearly_spent);
-        assert_eq!(nearly, [true, false, false]);
+        let seconds = Duration::from_secs;
+        let clock = || seconds(600);
+        let unlimited = Shares::new(None, &clock);
+        assert_eq!(unlimited.end_of_next(3), None);
+        assert!(!unlimited.is_over(None));
+        assert_eq!(Shares::new(Some(Duration::MAX), &clock).end_of_next(1), Some(Duration::MAX));
+        let hour = Shares::new(Some(seconds(3_600)), &clock);
+        assert_eq!(hour.end_of_next(4), Some(seconds(600 + 750)));
+        assert_eq!(
+            [599, 600, 601].map(|end| hour.is_over(Some(seconds(end)))),
+            [true, true, false]
+        );
+        let spent = Shares::new(Some(seconds(60)), &clock);
+        assert_eq!(spent.end_of_next(9), Some(seconds(600)));
+        let nearly = Shares::new(Some(seconds(631)), &clock);
+        let spent = [&spent, &nearly, &hour, &unlimited].map(Shares::is_nearly_spent);
+        assert_eq!(spent, [true, true, false, false]);
     }
 }

@@ -22,7 +22,7 @@ mod one_by_one;
 mod summary;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use glam::Vec3;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -101,6 +101,16 @@ fn check_over<P: Triangles, A: Accel>(
     options: &BuildOptions,
     limits: &Limits<'_>,
 ) -> Result<Summary, FirstDifference> {
+    let start = Instant::now();
+    check_by::<P, A>(options, limits, &|| start.elapsed())
+}
+
+/// [`check_over`], by a clock that shows how long it has gone on.
+fn check_by<P: Triangles, A: Accel>(
+    options: &BuildOptions,
+    limits: &Limits<'_>,
+    clock: &(dyn Fn() -> Duration + Sync),
+) -> Result<Summary, FirstDifference> {
     let mut meshes = nasty_meshes::all();
     meshes.push(nasty_meshes::empty("empty"));
     let cases: Vec<(usize, Case<'_>)> = meshes
@@ -108,7 +118,7 @@ fn check_over<P: Triangles, A: Accel>(
         .flat_map(|mesh| PLACES.map(|(scale, offset)| Case { mesh, scale, offset }))
         .enumerate()
         .collect();
-    let shares = Shares::begin(limits.time);
+    let shares = Shares::new(limits.time, clock);
     let mut summaries = vec![Summary::default(); cases.len()];
     // What is left of the time goes to the meshes whose shares were too small.
     let mut left: Vec<(usize, Case<'_>)> = cases.clone();
@@ -134,7 +144,7 @@ fn check_all<P: Triangles, A: Accel>(
     cases: &[(usize, Case<'_>)],
     options: &BuildOptions,
     limits: &Limits<'_>,
-    shares: &Shares,
+    shares: &Shares<'_>,
     all: usize,
 ) -> Result<Vec<Summary>, FirstDifference> {
     let (begun, done) = (AtomicUsize::new(0), AtomicUsize::new(all - cases.len()));
@@ -148,7 +158,7 @@ fn check_all<P: Triangles, A: Accel>(
             let end = shares.end_of_next(left.div_ceil(threads));
             let ended = || {
                 first_wrong.load(Ordering::Relaxed) < number
-                    || end.is_some_and(|end| Instant::now() >= end)
+                    || shares.is_over(end)
                     || (limits.cancelled)()
             };
             let result = case.check::<P, A>(options, &ended);
@@ -240,7 +250,10 @@ mod tests {
         assert_eq!((parts.into_inner(), last.into_inner()), (28, 28));
     }
 
-    /// No structure, after a millisecond a ray.
+    /// How many times a ray has been traced through [`Slow`].
+    static TRAVERSALS: AtomicUsize = AtomicUsize::new(0);
+
+    /// No structure, which counts its traversals: each stands for a millisecond.
     struct Slow(Exhaustive);
 
     impl Accel for Slow {
@@ -256,7 +269,7 @@ mod tests {
             counters: &mut C,
             leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
         ) {
-            std::thread::sleep(Duration::from_millis(1));
+            TRAVERSALS.fetch_add(1, Ordering::Relaxed);
             self.0.traverse(ray, box_ray, counters, leaf);
         }
 
@@ -267,12 +280,13 @@ mod tests {
 
     #[test]
     fn what_is_slow_is_compared_on_some_rays_of_all_meshes() {
-        // All rays would take more than half an hour.
+        // All rays would take more than half an hour. The time is simulated, so that what else the machine does is
+        // no part of it.
+        let clock = || Duration::from_millis(TRAVERSALS.load(Ordering::Relaxed) as u64);
         let limits = Limits { time: Some(Duration::from_secs(6)), ..Limits::NONE };
-        let start = Instant::now();
-        let summary = check_with::<Slow>(&BuildOptions::NONE, &limits).unwrap();
-        assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
-        assert!(!summary.is_whole() && summary.rays > 20 && summary.meshes == 0, "{summary}");
+        let summary = check_by::<TriangleSet, Slow>(&BuildOptions::NONE, &limits, &clock).unwrap();
+        assert!(clock() < Duration::from_secs(12), "{:?}", clock());
+        assert!(!summary.is_whole() && summary.rays > 100 && summary.hits > 10, "{summary}");
         let text = summary.to_string();
         assert!(text.ends_with("ended with 0 of 28 meshes compared in full"), "{text}");
     }
