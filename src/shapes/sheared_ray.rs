@@ -64,11 +64,18 @@ impl Axes {
         [L::splat(coordinate(x)), L::splat(coordinate(y)), L::splat(coordinate(z))]
     }
 
-    /// [`arrange`](Self::arrange) without a copy.
+    /// The order in a word: two bits for each axis, a byte apart, the first the lowest.
     #[inline(always)]
-    pub(super) fn arrange_refs<T>(self, of_axes: &[T; 3]) -> [&T; 3] {
+    const fn word(self) -> u32 {
         let [x, y, z] = self.0;
-        [&of_axes[x as usize], &of_axes[y as usize], &of_axes[z as usize]]
+        x as u32 | (y as u32) << 8 | (z as u32) << 16
+    }
+
+    /// The order that a word holds.
+    #[inline(always)]
+    fn of_word(word: u32) -> Self {
+        // The last axis is the dominant one.
+        Self::of_dominant(word >> 16)
     }
 }
 
@@ -135,7 +142,7 @@ impl<L: Lanes> ShearedRay<L> {
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub struct TriangleRay {
-    /// Origin, slopes, the factors of 1/direction; then the place of the dominant axis, as bits.
+    /// Origin, slopes, the factors of 1/direction; then the order of axes in a word, as bits.
     values: [f32; 8],
 }
 
@@ -149,7 +156,7 @@ impl TriangleRay {
         let [.., along] = axes.arrange(inv_dir);
         let sheared = ShearedRay::new(axes.arrange(origin), axes.arrange(dir), along);
         let ShearedRay { origin: [x, y, z], slopes: [p, q], along: [a, b] } = sheared;
-        Self { values: [x, y, z, p, q, a, b, f32::from_bits(dominant)] }
+        Self { values: [x, y, z, p, q, a, b, f32::from_bits(axes.word())] }
     }
 
     /// Eight rays, a ray in each lane, each with its own dominant axis.
@@ -160,12 +167,26 @@ impl TriangleRay {
         inv_dir: &Lanes3<S::F8>,
         rays: &mut [Self; PACK],
     ) {
-        let TriangleRays { sheared, .. } = TriangleRays::new(origin, dir, inv_dir);
-        let ShearedRay { origin: [x, y, z], slopes: [p, q], along: [a, b] } = sheared;
         let [of_x, of_y, _] = lanes_by_dominant_axis(*dir);
-        let place = S::F8::splat(f32::from_bits(1)).select(of_y, S::F8::splat(f32::from_bits(2)));
-        let place = S::F8::splat(0.0).select(of_x, place);
-        let records = S::transpose_eight([x, y, z, p, q, a, b, place]);
+        // Of eight rays each axis is mostly that of some, so there is nothing to foresee.
+        let arranged = [
+            origin[1].select(of_x, origin[2].select(of_y, origin[0])),
+            origin[2].select(of_x, origin[0].select(of_y, origin[1])),
+            origin[0].select(of_x, origin[1].select(of_y, origin[2])),
+        ];
+        let dir = [
+            dir[1].select(of_x, dir[2].select(of_y, dir[0])),
+            dir[2].select(of_x, dir[0].select(of_y, dir[1])),
+            dir[0].select(of_x, dir[1].select(of_y, dir[2])),
+        ];
+        let along = inv_dir[0].select(of_x, inv_dir[1].select(of_y, inv_dir[2]));
+        let sheared = ShearedRay::new(arranged, dir, along);
+        let ShearedRay { origin: [x, y, z], slopes: [p, q], along: [a, b] } = sheared;
+        let word = |dominant: usize| f32::from_bits(DOMINANT[dominant].word());
+        let [by_x, by_y, by_z] = [word(0), word(1), word(2)];
+        let axes =
+            S::F8::splat(by_x).select(of_x, S::F8::splat(by_y).select(of_y, S::F8::splat(by_z)));
+        let records = S::transpose_eight([x, y, z, p, q, a, b, axes]);
         for i in 0..PACK {
             records[i].store(&mut rays[i].values);
         }
@@ -174,7 +195,14 @@ impl TriangleRay {
     /// The order of its axes.
     #[inline(always)]
     pub(super) fn axes(&self) -> Axes {
-        Axes::of_dominant(self.values[7].to_bits())
+        Axes::of_word(self.values[7].to_bits())
+    }
+
+    /// The numbers of its axes in their order, each of two bits.
+    #[inline(always)]
+    pub(super) fn rows(&self) -> [usize; 3] {
+        let word = self.values[7].to_bits() as usize;
+        [word & 3, word >> 8 & 3, word >> 16 & 3]
     }
 
     /// As a ray in each lane of a vector.

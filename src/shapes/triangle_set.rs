@@ -38,10 +38,16 @@ pub struct TriangleSet {
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 struct Pack {
-    /// A row of eight for each corner and axis.
-    corners: [[[f32; PACK]; 3]; 3],
-    prim: [u32; PACK],
+    /// A row of eight for each corner and axis, as bits of floats; then the indices in the mesh. In one array, so that
+    /// a row that a ray picks for a corner, by a number of two bits, is never out of bounds.
+    rows: [[u32; PACK]; ROWS],
 }
+
+/// Rows of a pack.
+const ROWS: usize = 10;
+
+/// The last row: the indices in the mesh.
+const PRIM: usize = 9;
 
 /// Four lanes of a pack: what rays that come one by one are tested with.
 #[derive(Clone, Copy)]
@@ -130,7 +136,7 @@ impl TriangleSet {
         let sound = AtomicBool::new(triangles.len() == self.count as usize);
         self.packs.par_iter_mut().with_min_len(1 << 9).for_each(|pack| {
             for lane in 0..PACK {
-                let prim = pack.prim[lane];
+                let prim = pack.rows[PRIM][lane];
                 if prim == NONE {
                     continue;
                 }
@@ -191,7 +197,7 @@ impl TriangleSet {
 
     fn slot(&self, slot: u32) -> (Triangle, u32) {
         let (pack, lane) = (&self.packs[slot as usize / PACK], slot as usize % PACK);
-        (pack.triangle(lane), pack.prim[lane])
+        (pack.triangle(lane), pack.rows[PRIM][lane])
     }
 
     /// Calls `test` with each half of a pack that holds some of the slots, and a mask of their lanes,
@@ -300,12 +306,11 @@ impl Packs for TriangleSet {
 
     #[inline(always)]
     fn test_pack<S: Simd>(&self, pack: usize, ray: &TriangleRay) -> PackHits<S::F8> {
-        let pack = &self.packs[pack];
-        let (axes, [a, b, c]) = (ray.axes(), &pack.corners);
+        let (rows, axes) = (&self.packs[pack].rows, ray.rows());
         let corners = [
-            load3::<S>(axes.arrange_refs(a)),
-            load3::<S>(axes.arrange_refs(b)),
-            load3::<S>(axes.arrange_refs(c)),
+            load3::<S>(rows, axes),
+            load3::<S>(rows, [axes[0] + 3, axes[1] + 3, axes[2] + 3]),
+            load3::<S>(rows, [axes[0] + 6, axes[1] + 6, axes[2] + 6]),
         ];
         scaled_hit(&ray.splat(), corners)
     }
@@ -317,8 +322,8 @@ impl Packs for TriangleSet {
         lane: usize,
         rays: &TriangleRays<S::F16>,
     ) -> PackHits<S::F16> {
-        let corners = &self.packs[pack].corners;
-        let places = rays.arrange(|corner, axis| corners[corner][axis as usize][lane % PACK]);
+        let pack = &self.packs[pack];
+        let places = rays.arrange(|corner, axis| pack.coordinate(corner, axis as usize, lane));
         scaled_hit(&rays.sheared, places)
     }
 
@@ -328,9 +333,9 @@ impl Packs for TriangleSet {
 
     #[inline(always)]
     fn boxes<S: Simd>(&self, pack: usize) -> [Lanes3<S::F8>; 2] {
-        let [a, b, c] = &self.packs[pack].corners;
+        let rows = &self.packs[pack].rows;
         let (mut low, b, c) =
-            (load3::<S>(a.each_ref()), load3::<S>(b.each_ref()), load3::<S>(c.each_ref()));
+            (load3::<S>(rows, [0, 1, 2]), load3::<S>(rows, [3, 4, 5]), load3::<S>(rows, [6, 7, 8]));
         let mut high = low;
         for axis in 0..3 {
             low[axis] = low[axis].min(b[axis]).min(c[axis]);
@@ -350,42 +355,55 @@ impl Packs for TriangleSet {
 
     #[inline(always)]
     fn id(&self, pack: usize, lane: usize) -> u32 {
-        self.packs[pack].prim[lane % PACK]
+        self.packs[pack].rows[PRIM][lane % PACK]
     }
 }
 
 impl Pack {
-    const EMPTY: Self = Self { corners: [[[f32::NAN; PACK]; 3]; 3], prim: [NONE; PACK] };
+    const EMPTY: Self = {
+        let mut rows = [[f32::NAN.to_bits(); PACK]; ROWS];
+        rows[PRIM] = [NONE; PACK];
+        Self { rows }
+    };
 
     fn set(&mut self, lane: usize, triangle: &Triangle, prim: u32) {
-        for (rows, corner) in self.corners.iter_mut().zip(triangle.corners) {
+        for (rows, corner) in self.rows.chunks_exact_mut(3).zip(triangle.corners) {
             for (row, value) in rows.iter_mut().zip(corner.to_array()) {
-                row[lane] = value;
+                row[lane] = value.to_bits();
             }
         }
-        self.prim[lane] = prim;
+        self.rows[PRIM][lane] = prim;
+    }
+
+    /// A coordinate of a corner, by their numbers up to two, in a lane.
+    #[inline(always)]
+    fn coordinate(&self, corner: usize, axis: usize, lane: usize) -> f32 {
+        f32::from_bits(self.rows[3 * corner + axis][lane % PACK])
     }
 
     #[inline(always)]
     fn triangle(&self, lane: usize) -> Triangle {
-        let lane = lane % PACK;
-        let [a, b, c] = &self.corners;
-        let pick = |[x, y, z]: &[[f32; PACK]; 3]| Vec3::new(x[lane], y[lane], z[lane]);
-        Triangle::new([pick(a), pick(b), pick(c)])
+        let corner = |corner| {
+            let [x, y, z] = [0, 1, 2].map(|axis| self.coordinate(corner, axis, lane));
+            Vec3::new(x, y, z)
+        };
+        Triangle::new([corner(0), corner(1), corner(2)])
     }
 }
 
+/// Three rows of a pack.
 #[inline(always)]
-fn load3<S: Simd>([x, y, z]: [&[f32; PACK]; 3]) -> Lanes3<S::F8> {
-    [S::F8::load(x), S::F8::load(y), S::F8::load(z)]
+fn load3<S: Simd>(rows: &[[u32; PACK]; ROWS], [x, y, z]: [usize; 3]) -> Lanes3<S::F8> {
+    [S::F8::load_bits(&rows[x]), S::F8::load_bits(&rows[y]), S::F8::load_bits(&rows[z])]
 }
 
 impl Half<'_> {
     /// Four lanes of a corner, its axes in the order of a ray's.
     #[inline(always)]
     fn corner(&self, number: usize, axes: Axes) -> Lanes3<Vec4> {
-        let [x, y, z] = axes.arrange_refs(&self.pack.corners[number]);
-        [x, y, z].map(|row| Vec4::from_slice(&row[self.first..]))
+        let lane = |axis, lane| self.pack.coordinate(number, axis, self.first + lane);
+        let row = |axis: usize| Vec4::from_array([0, 1, 2, 3].map(|i| lane(axis, i)));
+        axes.arrange(&[0, 1, 2]).map(row)
     }
 
     #[inline(always)]
@@ -421,7 +439,7 @@ impl Half<'_> {
             let hit = Hit {
                 t: not_before(t, begin),
                 object: 0,
-                prim: self.pack.prim[self.first + lane],
+                prim: self.pack.rows[PRIM][self.first + lane],
                 u: candidates.u[lane] / det,
                 v: candidates.v[lane] / det,
             };

@@ -76,6 +76,16 @@ impl Simd for Portable {
     }
 
     #[inline(always)]
+    fn signs(words: &[u32; 8]) -> u32 {
+        words.iter().rev().fold(0, |signs, word| signs << 1 | word >> 31)
+    }
+
+    #[inline(always)]
+    fn equal(words: &[u32; 8], word: u32) -> u32 {
+        words.iter().rev().fold(0, |bits, &other| bits << 1 | u32::from(other == word))
+    }
+
+    #[inline(always)]
     fn compress(mask: u32, values: &[u32; 8], kept: &mut [u32; 8]) {
         let mut count = 0;
         for (lane, &value) in values.iter().enumerate() {

@@ -51,6 +51,11 @@ pub trait Simd: Copy + Send + Sync + 'static {
     /// Eight rows, the first of which has all first floats of eight records, as these records, or the other way round.
     fn transpose_eight(rows: [Self::F8; 8]) -> [Self::F8; 8];
 
+    /// The highest bits of eight words, word 0's the lowest.
+    fn signs(words: &[u32; 8]) -> u32;
+    /// A bit for each of eight words that equals one.
+    fn equal(words: &[u32; 8], word: u32) -> u32;
+
     /// Moves the values with a one in the mask to the front of `kept`; what stands behind them is
     /// not specified.
     fn compress(mask: u32, values: &[u32; 8], kept: &mut [u32; 8]);

@@ -504,6 +504,19 @@ impl Simd for Avx2 {
     }
 
     #[inline(always)]
+    fn signs(words: &[u32; 8]) -> u32 {
+        op!(sign_bits(_mm256_castsi256_ps(load_words(words))))
+    }
+
+    #[inline(always)]
+    fn equal(words: &[u32; 8], word: u32) -> u32 {
+        op!({
+            let equal = _mm256_cmpeq_epi32(load_words(words), _mm256_set1_epi32(word as i32));
+            sign_bits(_mm256_castsi256_ps(equal))
+        })
+    }
+
+    #[inline(always)]
     fn compress(mask: u32, values: &[u32; 8], kept: &mut [u32; 8]) {
         store_words(kept, op!(_mm256_permutevar8x32_epi32(load_words(values), to_front(mask))));
     }
@@ -524,7 +537,7 @@ impl Simd for Avx2 {
         distances: &mut [f32; 8],
     ) -> u32 {
         op!({
-            let order = _mm256_srl_epi32(load_words(order), _mm_cvtsi32_si128(shift as i32));
+            let order = _mm256_srlv_epi32(load_words(order), _mm256_set1_epi32(shift as i32));
             let near = Eight(_mm256_permutevar8x32_ps(near.0, order));
             let mask = near.le(Eight(_mm256_permutevar8x32_ps(far.0, order))).bits();
             let front = to_front(mask);
@@ -570,6 +583,16 @@ impl Simd for Avx512 {
     }
 
     #[inline(always)]
+    fn signs(words: &[u32; 8]) -> u32 {
+        op!(u32::from(_mm256_movepi32_mask(load_words(words))))
+    }
+
+    #[inline(always)]
+    fn equal(words: &[u32; 8], word: u32) -> u32 {
+        op!(u32::from(_mm256_cmpeq_epi32_mask(load_words(words), _mm256_set1_epi32(word as i32))))
+    }
+
+    #[inline(always)]
     fn compress(mask: u32, values: &[u32; 8], kept: &mut [u32; 8]) {
         store_words(kept, op!(_mm256_maskz_compress_epi32(mask as u8, load_words(values))));
     }
@@ -590,7 +613,7 @@ impl Simd for Avx512 {
         distances: &mut [f32; 8],
     ) -> u32 {
         op!({
-            let order = _mm256_srl_epi32(load_words(order), _mm_cvtsi32_si128(shift as i32));
+            let order = _mm256_srlv_epi32(load_words(order), _mm256_set1_epi32(shift as i32));
             let near = MaskedEight(_mm256_permutexvar_ps(order, near.0));
             let mask = near.le(MaskedEight(_mm256_permutexvar_ps(order, far.0))).bits();
             let children = _mm256_permutexvar_epi32(order, load_words(children));

@@ -26,12 +26,14 @@ pub(super) struct DivergedRay {
 
 impl Diverged {
     /// Forgets all rays.
+    #[inline]
     pub(super) fn clear(&mut self) {
         self.rays.clear();
         self.entries.clear();
     }
 
     /// Adds a ray with what it is to visit, the nearest last; does nothing if that is nothing.
+    #[inline]
     pub(super) fn add(&mut self, ray: u32, best: Hit, entries: impl Iterator<Item = (Child, f32)>) {
         let first = self.entries.len();
         self.entries.extend(entries);
@@ -42,11 +44,13 @@ impl Diverged {
     }
 
     /// The rays.
+    #[inline]
     pub(super) fn rays(&self) -> &[DivergedRay] {
         &self.rays
     }
 
     /// What a ray is to visit.
+    #[inline]
     pub(super) fn entries(&self, ray: &DivergedRay) -> &[(Child, f32)] {
         let first = ray.first as usize;
         &self.entries[first..first + ray.count as usize]

@@ -19,6 +19,9 @@ use super::node::{Child, order_shift};
 use super::packet_rays::{ALL, Boxes, Packet, RAYS};
 use super::task::Task;
 
+/// The lanes of a row, each in its own.
+static LANES: [u32; PACK] = [0, 1, 2, 3, 4, 5, 6, 7];
+
 /// The stack of a packet.
 pub(super) struct Stack {
     /// What is to be visited, and by which rays.
@@ -117,6 +120,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters, const CUT: b
     entries[0] = (Child::ROOT, ALL);
     begins[0] = [f32::NEG_INFINITY; RAYS];
     let mut top = 1;
+    let (mut lanes, mut entries_of) = ([0; PACK], [0.0; PACK]);
     let mut end = S::F8::splat(best.t.largest());
     let shift = order_shift(packet.octant);
     while top > 0 {
@@ -157,12 +161,10 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters, const CUT: b
             counters.boxes(node.present().count() as u32 * active.count_ones());
         }
         let (near, far) = packet.hull_of_node(node, end);
-        let crossed = near.le(far).bits();
-        for word in node.orders() {
-            let lane = (word >> shift) as usize % PACK;
-            if crossed >> lane & 1 == 0 {
-                continue;
-            }
+        let crossed =
+            S::enter(near, far, &LANES, node.orders(), shift, &mut lanes, &mut entries_of);
+        for &lane in &lanes[..crossed as usize % (PACK + 1)] {
+            let lane = lane as usize % PACK;
             let (near, far) = packet.interval(node, lane, best.t);
             let entering = near.le(far).bits() & active;
             let child = Child(node.children()[lane]);

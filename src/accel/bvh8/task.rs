@@ -26,9 +26,11 @@ pub(super) struct Task<'a, P: Primitives, Q> {
     pub(super) primitives: &'a P,
     pub(super) packs: &'a P::Packs,
     pub(super) padding: Padding,
-    /// Whether nodes and packs do not fit into the caches, so that what rays are
-    /// about to read is prefetched.
+    /// Whether nodes and packs do not fit into the caches, so that what packets are about to read is prefetched, and
+    /// costs more.
     pub(super) large: bool,
+    /// Whether they do not fit into the cache of a core, so that what waves are about to read is prefetched.
+    pub(super) far: bool,
     /// How many rays a wave has in flight.
     pub(super) in_flight: usize,
 }
@@ -38,8 +40,9 @@ impl<'a, P: Primitives, Q: Query> Task<'a, P, Q> {
         let packs = primitives.packs();
         let bytes = size_of_val(&tree.nodes[..]) as u64 + packs.bytes();
         let padding = primitives.padding();
-        let in_flight = if bytes > CORE_CACHE { MOST_IN_FLIGHT } else { IN_FLIGHT };
-        Self { tree, query, primitives, packs, padding, large: bytes > CACHE, in_flight }
+        let (far, large) = (bytes > CORE_CACHE, bytes > CACHE);
+        let in_flight = if far { MOST_IN_FLIGHT } else { IN_FLIGHT };
+        Self { tree, query, primitives, packs, padding, large, far, in_flight }
     }
 
     /// Prefetches what will be visited soon.

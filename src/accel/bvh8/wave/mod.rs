@@ -1,0 +1,237 @@
+//! Waves: dozens of rays in flight on one thread, without a branch that cannot be foreseen.
+//!
+//! A ray that walks a tree alone takes a turn at every node that no processor can predict, and
+//! waits. Here each ray is in a list: of rays at a node, at a leaf, with a candidate for the
+//! closest hit, or done. A phase goes through its list, does the same work for each ray, and notes what
+//! the ray has on top of its stack then; eight at a time, the rays go to the lists that they belong to
+//! (`list.rs`). The rays of a phase do not depend on each other, so the processor works on several at once.
+
+mod candidates;
+mod incoming;
+mod list;
+mod slot;
+
+use crate::accel::{PACK, Packs, Primitives, Query, Search, search_one};
+use crate::counters::Counters;
+use crate::math::{BoxRay, Lanes as _, Mask as _, NONE, Ray, ones, within};
+use crate::simd::{Row as _, Simd};
+
+use self::candidates::Candidates;
+use self::incoming::{Eight, Incoming, Terms};
+use self::list::{List, Places};
+use self::slot::Slot;
+use super::diverged::Diverged;
+use super::node::Child;
+use super::slab_ray::SlabRay;
+use super::task::{MOST_IN_FLIGHT, Task};
+
+/// The most rays in flight.
+const RAYS: usize = MOST_IN_FLIGHT;
+
+/// The memory of a wave; `R` is a ray as the primitives' formula takes it.
+pub(super) struct Memory<R> {
+    slots: [Slot<R>; RAYS],
+    formulas: [R; PACK],
+    candidates: [Candidates; RAYS],
+    lists: [Places; 4],
+}
+
+impl<R: Copy + Default> Default for Memory<R> {
+    fn default() -> Self {
+        Self {
+            slots: [Slot::vacant(); RAYS],
+            formulas: [R::default(); PACK],
+            candidates: [Candidates::NONE; RAYS],
+            lists: [const { Places::new() }; 4],
+        }
+    }
+}
+
+/// A ray as the formula of primitives takes it.
+pub(super) type RayOf<P> = <<P as Primitives>::Packs as Packs>::Ray;
+
+/// Answers those of the rays whose places in the slice are in `which`, and those that diverged.
+#[inline(always)]
+pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
+    task: &Task<'_, P, Q>,
+    rays: &[Ray],
+    (which, diverged): (&[u32], &Diverged),
+    answers: &mut [Q::Answer],
+    memory: &mut Memory<RayOf<P>>,
+    counters: &mut C,
+) {
+    let any = const { matches!(Q::SEARCH, Search::First) };
+    let (tree, packs) = (&task.tree.nodes[..], task.packs);
+    let Memory { slots, formulas, candidates, lists: [a, b, c, d] } = memory;
+    let (mut nodes, mut leaves) = (List::new(a), List::new(b));
+    let (mut improved, mut done) = (List::new(c), List::new(d));
+    let mut incoming = Incoming::new(which, diverged);
+    for (id, slot) in slots.iter_mut().enumerate().take(task.in_flight) {
+        slot.ray = NONE;
+        done.append_if(id as u32, true);
+    }
+    loop {
+        // As long as rays are in flight, those that come next wait until eight slots are free.
+        while done.length >= PACK {
+            let Some(eight) = incoming.next_eight() else { break };
+            let ids = done.take_last(eight.count);
+            for &id in &ids[..eight.count] {
+                answer::<P, Q>(&slots[id as usize % RAYS], task, rays, answers);
+            }
+            let Eight { index, count, .. } = eight;
+            let terms = Terms::<S>::new::<P::Packs>(&index, rays, task.padding, formulas);
+            #[allow(
+                clippy::needless_range_loop,
+                reason = "wide values do not go through iterators"
+            )]
+            for lane in 0..PACK {
+                let slot = &mut slots[ids[lane] as usize % RAYS];
+                terms.near[lane].store(&mut slot.near);
+                terms.far[lane].store(&mut slot.far);
+                slot.formula = formulas[lane];
+                slot.prim = NONE;
+                slot.ray = index[lane];
+            }
+            let all = (1 << count) - 1;
+            if terms.usual & all == all && incoming.are_fresh(&eight) {
+                nodes.append_eight(&ids, Child::ROOT, count);
+                continue;
+            }
+            for (lane, &id) in ids[..count].iter().enumerate() {
+                let slot = &mut slots[id as usize % RAYS];
+                if terms.usual >> lane & 1 == 0
+                    && !take_cut::<S, P, Q, C>(task, slot, rays, counters, answers)
+                {
+                    done.append_if(id, true);
+                    continue;
+                }
+                let next = match incoming.diverged(&eight, lane) {
+                    Some(ray) => slot.go_on(ray, diverged.entries(ray)),
+                    None => Child::ROOT,
+                };
+                // None is done: those that have nothing to visit do not come.
+                if next.is_leaf() {
+                    leaves.append(id, next);
+                } else {
+                    nodes.append(id, next);
+                }
+            }
+        }
+        if nodes.length + leaves.length == 0 {
+            break;
+        }
+
+        prefetch(task, &nodes);
+        for place in 0..nodes.length {
+            let slot = &mut slots[nodes.slot(place) as usize % RAYS];
+            let node = &tree[nodes.next(place).index()];
+            if C::COUNTS {
+                counters.boxes(node.present().count() as u32);
+            }
+            let next = if any { slot.enter_any::<S>(node) } else { slot.enter::<S>(node) };
+            nodes.set_next(place, next);
+        }
+        nodes.keep_nodes::<S>(&mut leaves, &mut done);
+
+        prefetch(task, &leaves);
+        // A bit for each leaf that has a candidate.
+        let mut offering = 0;
+        for place in 0..leaves.length {
+            let (id, leaf) = (leaves.slot(place), leaves.next(place));
+            let slot = &mut slots[id as usize % RAYS];
+            let block = leaf.block();
+            if C::COUNTS {
+                counters.primitives(leaf.count());
+            }
+            let mut hits = packs.test_pack::<S>(block, &slot.formula);
+            for lane in ones(hits.flat()) {
+                hits.replace(lane, packs.flat_hit(block, lane, &rays[slot.ray as usize]));
+            }
+            let t = hits.t / hits.scale;
+            let in_reach = within(t, [S::F8::splat(slot.t_min()), S::F8::splat(slot.end())]);
+            let lanes = (hits.inside & in_reach).bits();
+            if any {
+                // A candidate nearly always ends the search: at most one misprediction a ray.
+                if lanes != 0 {
+                    candidates[0].set::<S>(t, lanes, block);
+                    if Q::FILTERS {
+                        candidates[0].set_coordinates::<S>(&hits);
+                    }
+                    if candidates[0].any_accepted::<S, P, Q>(slot, task, rays) {
+                        slot.prim = 0;
+                        slot.finish();
+                    }
+                }
+                leaves.set_next(place, slot.pop());
+                continue;
+            }
+            let offered = &mut candidates[improved.length % RAYS];
+            offered.set::<S>(t, lanes, block);
+            offered.set_coordinates::<S>(&hits);
+            // No branch: whether a leaf has a candidate cannot be foreseen.
+            improved.append_if(id, lanes != 0);
+            offering |= u64::from(lanes != 0) << (place % 64);
+            leaves.set_next(place, slot.pop_if(lanes == 0));
+        }
+        leaves.keep_leaves::<S>(offering, &mut nodes, &mut done);
+
+        for place in 0..improved.length {
+            let slot = &mut slots[improved.slot(place) as usize % RAYS];
+            if candidates[place % RAYS].improve::<S, P, Q>(slot, task, rays) {
+                slot.drop_behind::<S>();
+            }
+            improved.set_next(place, slot.pop());
+        }
+        improved.empty::<S>(&mut nodes, &mut leaves, &mut done);
+    }
+    for place in 0..done.length {
+        answer::<P, Q>(&slots[done.slot(place) as usize % RAYS], task, rays, answers);
+    }
+}
+
+/// Asks for what the rays of a list visit next.
+#[inline(always)]
+fn prefetch<P: Primitives, Q: Query>(task: &Task<'_, P, Q>, list: &List<'_>) {
+    if task.far {
+        for place in 0..list.length {
+            task.prefetch(list.next(place));
+        }
+    }
+}
+
+/// Answers the ray of a slot, if it has one.
+#[inline(always)]
+fn answer<P: Primitives, Q: Query>(
+    slot: &Slot<RayOf<P>>,
+    task: &Task<'_, P, Q>,
+    rays: &[Ray],
+    answers: &mut [Q::Answer],
+) {
+    if let Some(ray) = rays.get(slot.ray as usize) {
+        answers[slot.ray as usize] = task.query.of_one(ray, &slot.hit());
+    }
+}
+
+/// Gives the ray of a slot, which hardly moves along an axis, terms that serve, or searches it alone and returns false if
+/// the slab test cannot take it; then the slot has none. Apart, for the sake of usual rays.
+#[cold]
+#[inline(never)]
+fn take_cut<S: Simd, P: Primitives, Q: Query, C: Counters>(
+    task: &Task<'_, P, Q>,
+    slot: &mut Slot<RayOf<P>>,
+    rays: &[Ray],
+    counters: &mut C,
+    answers: &mut [Q::Answer],
+) -> bool {
+    let index = std::mem::replace(&mut slot.ray, NONE);
+    let ray = &rays[index as usize];
+    let box_ray = BoxRay::new(ray, task.padding);
+    let Some(slab) = SlabRay::cut::<S>(ray, &box_ray, task.padding) else {
+        answers[index as usize] = search_one(task.tree, task.query, task.primitives, ray, counters);
+        return false;
+    };
+    slot.set_terms(&slab, [ray.t_min, ray.t_max]);
+    slot.formula = P::Packs::ray(ray, &box_ray.inv_dir.to_array());
+    slot.ray = index;
+    true
+}
