@@ -19,7 +19,7 @@ use crate::counters::Counters;
 use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
-use super::builder::{Builder, reinsert};
+use super::builder::{Builder, TreeChoice, reinsert};
 use super::refit::{Below, Fit, FitNode, Paths, fit_inner, fit_leaves};
 use super::{Accel, Bounded, Build, Built, Moved, OptionInfo, Order, Primitives, Tree};
 
@@ -63,7 +63,7 @@ impl Accel for Bvh {
     /// As measured.
     const BUILD_BYTES: u64 = 220;
 
-    const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
+    const OPTIONS: &'static [OptionInfo] = &[BUILDER, Builder::REINSERTION, LEAF];
 
     const REFITS: bool = true;
 
@@ -232,12 +232,12 @@ fn binary_tree(primitives: &impl Bounded, build: &mut Build<'_>) -> Bvh2 {
     let parameters = config.quality.parameters();
     let usual_leaf = parameters.max_prims_per_leaf.min(config.max_leaf);
     let most = config.options.number(&LEAF).unwrap_or(usual_leaf).max(1);
-    let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Ploc);
-    let mut tree = builder.tree(primitives, *grain, 1, config.quality, stages);
+    let choice = TreeChoice::of(config, &BUILDER, Builder::Ploc);
+    let mut tree = choice.tree(primitives, *grain, 1, stages);
     let cost = parameters.collapse_traversal_cost;
     stages.time("collapse", || collapse(&mut tree, most, cost));
     let again = parameters.post_collapse_reinsertion_batch_ratio_multiplier;
-    reinsert(&mut tree, again * builder.reinserted(config.quality), stages);
+    reinsert(&mut tree, again * choice.reinserted, stages);
     tree
 }
 

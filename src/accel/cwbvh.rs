@@ -19,7 +19,7 @@ use crate::counters::Counters;
 use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, Ray, ones};
 
-use super::builder::Builder;
+use super::builder::{Builder, TreeChoice};
 use super::{Accel, Bounded, Build, Built, OptionInfo, Order, Tree};
 
 const WIDTH: usize = 8;
@@ -45,7 +45,7 @@ impl Accel for CompressedWideBvh {
     /// As measured.
     const BUILD_BYTES: u64 = 240;
 
-    const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
+    const OPTIONS: &'static [OptionInfo] = &[BUILDER, Builder::REINSERTION, LEAF];
 
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         if primitives.count() == 0 {
@@ -54,9 +54,9 @@ impl Accel for CompressedWideBvh {
         let Build { config, stages, .. } = build;
         let usual_leaf = config.quality.parameters().max_prims_per_leaf.min(config.max_leaf);
         let most = config.options.number(&LEAF).unwrap_or(usual_leaf).clamp(1, MOST);
-        let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Ploc);
+        let choice = TreeChoice::of(config, &BUILDER, Builder::Ploc);
         // Leaves begin anywhere, so that packs make none of them cheaper.
-        let binary = builder.tree(primitives, 1, 1, config.quality, stages);
+        let binary = choice.tree(primitives, 1, 1, stages);
         let tree = stages.time("collapse", || bvh2_to_cwbvh(&binary, most, true, false));
         let mut nodes = tree.nodes;
         nodes.shrink_to_fit();

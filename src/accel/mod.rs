@@ -15,7 +15,7 @@
 //! | `grid.rs` | a uniform grid |
 //! | `grid2.rs` | a grid of grids |
 //! | `octree.rs` | an octree |
-//! | `balls.rs` | a binary tree of bounding balls |
+//! | `volumes/` | binary trees of bounding balls, and of polytopes between parallel planes |
 //!
 //! What partitions of space share is in `cells/`.
 //! `refit.rs` lets the boxes of trees follow primitives that move.
@@ -23,7 +23,6 @@
 //! Binary trees, which trees of all layouts are made from, are built in `builder/`.
 
 mod ball;
-mod balls;
 mod build;
 mod builder;
 mod bvh;
@@ -48,6 +47,7 @@ mod shape;
 mod sphere_ray;
 mod stages;
 mod tree;
+mod volumes;
 
 use std::ops::{ControlFlow, Range};
 
@@ -57,7 +57,6 @@ use crate::counters::{Counters, Counts};
 use crate::math::{Aabb, BoxRay, Padding, Ray};
 
 pub use ball::BoundingBall;
-pub use balls::BallTree;
 pub use build::{Build, Built};
 pub use bvh::Bvh;
 pub use bvh8::Bvh8;
@@ -79,6 +78,7 @@ pub use scratch::Scratch;
 pub use shape::{LeafHistogram, StructureShape};
 pub use stages::BuildStages;
 pub use tree::{Tree, TreeNode};
+pub use volumes::{Ball, BallTree, KDop, KDopTree, Volume, VolumeTree};
 
 /// A set of things with boxes: all that a structure is built from.
 pub trait Bounded: Sync {

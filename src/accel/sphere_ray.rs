@@ -15,7 +15,7 @@ const SHORTEST_DIR: f64 = 1e-30;
 const STEP: f64 = f32::from_bits(1) as f64;
 
 /// A ray and the padding of the boxes that balls enclose.
-pub(super) struct SphereRay {
+pub struct SphereRay {
     origin: DVec3,
     dir: DVec3,
     /// 1 / the square of the direction's length.
@@ -24,6 +24,13 @@ pub(super) struct SphereRay {
     more: f64,
     t_min: f64,
     skips_nothing: bool,
+}
+
+/// Whether a ray is so slow, or so fast, that volumes tested in `f64` must not keep it away.
+#[inline]
+pub(super) fn skips_nothing(ray: &Ray, box_ray: &BoxRay) -> bool {
+    let (square, pad) = (ray.dir.as_dvec3().length_squared(), f64::from(box_ray.pad));
+    square < SHORTEST_DIR * SHORTEST_DIR || square * (STEP * STEP) > pad * pad
 }
 
 impl SphereRay {
@@ -37,8 +44,7 @@ impl SphereRay {
             inv_square: 1.0 / square,
             more: 4.0 * pad,
             t_min: f64::from(ray.t_min),
-            skips_nothing: square < SHORTEST_DIR * SHORTEST_DIR
-                || square * (STEP * STEP) > pad * pad,
+            skips_nothing: skips_nothing(ray, box_ray),
         }
     }
 

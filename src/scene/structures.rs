@@ -6,7 +6,8 @@ use std::time::Instant;
 
 use crate::accel::{
     Accel, BallTree, BoundingBall, BuildConfig, BuildOptions, Bvh, Bvh8, CompressedWideBvh,
-    Exhaustive, Grid, Indexed, KdTree, Octree, OptionError, OptionInfo, Tracer, TwoLevelGrid,
+    Exhaustive, Grid, Indexed, KDopTree, KdTree, Octree, OptionError, OptionInfo, Tracer,
+    TwoLevelGrid,
 };
 use crate::assets::expect_memory;
 use crate::conformance::{self, FirstDifference, Limits, Summary};
@@ -274,6 +275,11 @@ pub static STRUCTURES: &[Structure] = &[
     Structure::new::<Octree, Octree>("octree", "an octree over objects and triangles").on_request(),
     Structure::new::<BallTree, BallTree>("balls", "a tree of balls over objects and triangles")
         .on_request(),
+    Structure::new::<KDopTree, KDopTree>(
+        "kdop",
+        "a tree of polytopes of 14 sides over objects and triangles",
+    )
+    .on_request(),
 ];
 
 /// What the structures are measured against, where the program was built with it.

@@ -19,6 +19,9 @@ use super::top_down::{self, Division};
 /// Bits of a coordinate.
 const BITS: u32 = 21;
 
+/// Bits of a code.
+pub(super) const CODE_BITS: u32 = 3 * BITS;
+
 /// Builds a tree over at least one primitive.
 pub(super) fn build(primitives: &impl Bounded, stages: &mut BuildStages) -> Bvh2 {
     let boxes = stages.time("boxes", || obvhs_boxes(primitives));
@@ -29,12 +32,13 @@ pub(super) fn build(primitives: &impl Bounded, stages: &mut BuildStages) -> Bvh2
 
 /// A primitive on the curve: sorted by its code, then by its index, which makes one order.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Coded {
-    code: u64,
-    index: u32,
+pub(super) struct Coded {
+    pub(super) code: u64,
+    pub(super) index: u32,
 }
 
-struct Curve<'a>(&'a [Aabb]);
+/// Parts primitives at the planes of the curve; has their boxes.
+pub(super) struct Curve<'a>(pub(super) &'a [Aabb]);
 
 impl Division for Curve<'_> {
     type Item = Coded;
@@ -57,7 +61,8 @@ fn center(bounds: &Aabb) -> Vec3A {
     0.5 * bounds.min + 0.5 * bounds.max
 }
 
-fn coded(boxes: &[Aabb]) -> Vec<Coded> {
+/// The codes of all primitives.
+pub(super) fn coded(boxes: &[Aabb]) -> Vec<Coded> {
     let (low, high) = boxes
         .par_iter()
         .map(|bounds| (center(bounds), center(bounds)))

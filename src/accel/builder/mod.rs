@@ -9,15 +9,18 @@
 //!   Clustering for Bounding Volume Hierarchy Construction*, 2018);
 //! * `sweep` (`all_places.rs`): from the top by the surface area heuristic, with all places weighed;
 //! * `median` (`median.rs`): from the top, halved by number;
-//! * `lbvh` (`lbvh.rs`): along Morton's curve.
+//! * `lbvh` (`lbvh.rs`): along Morton's curve;
+//! * `hlbvh` (`hlbvh.rs`): along Morton's curve below, by the surface area heuristic above.
 //!
 //! Each can be improved by obvhs's reinsertion (Meister, Bittner: *Parallel Reinsertion for Bounding Volume
-//! Hierarchy Optimization*, 2018), as the quality says. None depends on the number of threads.
+//! Hierarchy Optimization*, 2018), as the option or the quality says (`choice.rs`). None depends on the number of threads.
 
 mod all_places;
 mod binned;
 mod bins;
 mod branch;
+mod choice;
+mod hlbvh;
 mod lbvh;
 mod median;
 mod reference;
@@ -35,6 +38,8 @@ use self::terms::{Effort, Terms};
 use super::build::obvhs_boxes;
 use super::{Allowed, Bounded, BuildOptions, BuildStages, OptionInfo, Quality};
 
+pub(super) use self::choice::TreeChoice;
+
 /// How a tree is built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Builder {
@@ -48,13 +53,16 @@ pub(super) enum Builder {
     Median,
     /// Along Morton's curve.
     Lbvh,
+    /// Along Morton's curve below, by the surface area heuristic above.
+    Hlbvh,
 }
 
 impl Builder {
-    const ALL: [Self; 5] = [Self::Sah, Self::Ploc, Self::Sweep, Self::Median, Self::Lbvh];
+    const ALL: [Self; 6] =
+        [Self::Sah, Self::Ploc, Self::Sweep, Self::Median, Self::Lbvh, Self::Hlbvh];
 
     /// What they are called, in the same order.
-    const WORDS: &[&str] = &["sah", "ploc", "sweep", "median", "lbvh"];
+    const WORDS: &[&str] = &["sah", "ploc", "sweep", "median", "lbvh", "hlbvh"];
 
     /// The option that chooses it, with what holds where it is not given.
     pub(super) const fn option(default: &'static str) -> OptionInfo {
@@ -63,7 +71,8 @@ impl Builder {
             allowed: Allowed::Words(Self::WORDS),
             default,
             summary: "binary tree by the surface area heuristic (in bins or by a sweep over all places), by \
-                      clustering, by halves of equal number or along Morton's curve",
+                      clustering, by halves of equal number or along Morton's curve (with \
+                      the heuristic above: hlbvh)",
         }
     }
 
@@ -75,24 +84,21 @@ impl Builder {
 
     /// Builds a tree over at least one primitive, for leaves in which `pack` primitives, a power of two,
     /// cost as much as one. Its leaves hold up to `most` primitives where parting them would not pay.
-    pub(super) fn tree(
+    fn tree(
         self,
         primitives: &impl Bounded,
-        pack: u32,
-        most: u32,
+        [pack, most]: [u32; 2],
         quality: Quality,
         stages: &mut BuildStages,
     ) -> Bvh2 {
-        let parameters = quality.parameters();
-        // Primitives are reinserted one by one.
-        let whole = pack > 1 && self.reinserted(quality) == 0.0;
-        let most = if whole { most as usize } else { 1 };
-        let terms = Terms { pack_bits: pack.ilog2(), most, effort: Effort::of(quality) };
-        let mut tree = match self {
+        let (parameters, effort) = (quality.parameters(), Effort::of(quality));
+        let terms = Terms { pack_bits: pack.ilog2(), most: most as usize, effort };
+        match self {
             Self::Sah => binned::build(primitives, terms, stages),
             Self::Sweep => all_places::build(primitives, terms, stages),
             Self::Median => median::build(primitives, stages),
             Self::Lbvh => lbvh::build(primitives, stages),
+            Self::Hlbvh => hlbvh::build(primitives, effort, stages),
             Self::Ploc => {
                 let boxes = stages.time("boxes", || obvhs_boxes(primitives));
                 let build = || {
@@ -106,20 +112,6 @@ impl Builder {
                 };
                 stages.time("tree", build)
             }
-        };
-        reinsert(&mut tree, self.reinserted(quality), stages);
-        tree
-    }
-
-    /// The share of the nodes that are reinserted in each round.
-    pub(super) fn reinserted(self, quality: Quality) -> f32 {
-        match (self, quality) {
-            // The tree of bins is as good without, and the others are what they are called as long as no
-            // more than a usual build is wanted.
-            (Self::Ploc, _) | (_, Quality::Slow | Quality::Slowest) => {
-                quality.parameters().reinsertion_batch_ratio
-            }
-            _ => 0.0,
         }
     }
 }
@@ -155,11 +147,12 @@ pub(super) mod tests {
         }
     }
 
-    const BUILDERS: [Builder; 5] = Builder::ALL;
+    const BUILDERS: [Builder; 6] = Builder::ALL;
 
     fn tree(builder: Builder, boxes: &[Aabb], [pack, most]: [u32; 2], quality: Quality) -> Bvh2 {
         let boxes = Boxes(boxes.to_vec());
-        builder.tree(&boxes, pack, most, quality, &mut BuildStages::default())
+        let choice = TreeChoice::new(builder, quality);
+        choice.tree(&boxes, pack, most, &mut BuildStages::default())
     }
 
     fn boxes(count: u32) -> Vec<Aabb> {
@@ -223,7 +216,7 @@ pub(super) mod tests {
 
     #[test]
     fn equal_boxes_and_boxes_that_are_not_finite_lose_no_primitive() {
-        for builder in [Builder::Sah, Builder::Sweep, Builder::Median, Builder::Lbvh] {
+        for builder in BUILDERS.into_iter().filter(|&builder| builder != Builder::Ploc) {
             let same = vec![boxes(1)[0]; 5_000];
             assert_whole(&tree(builder, &same, [1, 1], Quality::Medium), &same, 1);
             let mut boxes = boxes(6_000);
@@ -257,11 +250,12 @@ pub(super) mod tests {
             let inner = tree.nodes.iter().filter(|node| !node.is_leaf());
             inner.map(|node| f64::from(node.aabb().half_area())).sum::<f64>()
         };
-        let [bins, sweep, median, curve] =
-            [Builder::Sah, Builder::Sweep, Builder::Median, Builder::Lbvh].map(cost);
+        let [bins, sweep, median, curve, above] =
+            [Builder::Sah, Builder::Sweep, Builder::Median, Builder::Lbvh, Builder::Hlbvh]
+                .map(cost);
         assert!(
-            sweep < 1.02 * bins && bins < median && bins < curve,
-            "{bins} {sweep} {median} {curve}"
+            sweep < 1.02 * bins && bins < median && bins < above && above < curve,
+            "{bins} {sweep} {median} {curve} {above}"
         );
     }
 }

@@ -34,7 +34,7 @@ pub(super) fn build<D: Division>(division: &D, items: &mut [D::Item]) -> Bvh2 {
 }
 
 /// A node and those below it. The first of its items has a place in the order of the tree.
-fn grow<D: Division>(division: &D, items: &mut [D::Item], first: u32) -> Branch {
+pub(super) fn grow<D: Division>(division: &D, items: &mut [D::Item], first: u32) -> Branch {
     if items.len() < PARALLEL {
         let mut nodes = Vec::with_capacity(2 * items.len() - 1);
         nodes.push(Bvh2Node::default());

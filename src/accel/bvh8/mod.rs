@@ -36,7 +36,7 @@ use self::collapse::collapse;
 use self::node::{Child, FAR, Node, WIDTH, near_planes, order_shift};
 use self::plan::{Leaves, Plan};
 use self::slab_ray::Sides;
-use super::builder::Builder;
+use super::builder::{Builder, TreeChoice};
 use super::refit::Paths;
 use super::{
     Accel, Bounded, Build, Built, Moved, OptionInfo, Order, PACK, Packs, Primitives, Query,
@@ -70,7 +70,7 @@ impl Accel for Bvh8 {
     /// As measured.
     const BUILD_BYTES: u64 = 150;
 
-    const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
+    const OPTIONS: &'static [OptionInfo] = &[BUILDER, Builder::REINSERTION, LEAF];
 
     const REFITS: bool = true;
 
@@ -84,9 +84,9 @@ impl Accel for Bvh8 {
             let accel = Self { nodes: Vec::new(), block: leaves.block, need: 0, paths: None };
             return Built { accel, order: None };
         }
-        let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Sah);
+        let choice = TreeChoice::of(config, &BUILDER, Builder::Sah);
         let pack = leaves.block as u32;
-        let tree = builder.tree(primitives, pack, leaves.most, config.quality, stages);
+        let tree = choice.tree(primitives, pack, leaves.most, stages);
         let plan = stages.time("plan", || Plan::new(&tree, leaves));
         let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
         let need = stack_need(&wide.nodes);

@@ -24,7 +24,7 @@ const ROWS: usize = 2;
 const FIXED: [&str; COLORS] = ["none", "ball", "bvh", "cwbvh", "bvh8", "embree", "embree16"];
 
 /// More of them, in the row behind: place n has colour n, the marker after n and dashes.
-const FIXED_DASHED: [&str; 5] = ["kdtree", "grid", "grid2", "octree", "balls"];
+const FIXED_DASHED: [&str; 6] = ["kdtree", "grid", "grid2", "octree", "balls", "kdop"];
 
 /// How a structure is drawn. Colour and marker together identify it; where a line is drawn without markers, structures
 /// of the same colour differ by their dashes.

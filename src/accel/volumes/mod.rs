@@ -1,52 +1,69 @@
-//! A tree of bounding balls.
+//! Binary trees of bounding volumes of any form, so that "which volume" can be seen: `balls` (`ball.rs`) and `kdop`
+//! (`kdop.rs`).
 //!
-//! * *Idea*: As a tree of boxes, but a node has a ball around it: a test without a direction's sign or
-//!   order, and the same from all sides.
-//! * *Paper*: Rubin, Whitted: *A 3-dimensional representation for fast rendering of complex scenes*,
-//!   1980, for the hierarchy; Weghorst, Hooper, Greenberg: *Improved computational methods for ray
-//!   tracing*, 1984, for what a volume's form costs and gives.
-//! * *Build*: that of the binary tree (`builder=`), and O(n · depth) for the balls.
-//! * *A ray*: O(log n) nodes in the mean, two balls each.
-//! * *Memory*: 48 bytes a node: of each child centre, radius and place.
-//! * *It wins*: seldom: where objects are round. Balls around flat or long parts are much larger than
-//!   boxes, and overlap.
-//!
-//! A ball encloses the corners of the *boxes* of the primitives below, and is tested with the padding
-//! (`sphere_ray.rs`): what a primitive's own box accepts is never skipped, so hits are those of all others.
+//! The tree is that of any builder over boxes. Each node then gets a volume that encloses the corners of the *boxes* of
+//! the primitives below, and that is tested with the padding: what a primitive's own box accepts is never skipped, so hits
+//! are those of all other structures. Goldsmith, Salmon: *Automatic Creation of Object Hierarchies for Ray Tracing*,
+//! 1987, and Weghorst, Hooper, Greenberg: *Improved Computational Methods for Ray Tracing*, 1984, weigh what a form costs
+//! against what it keeps away.
+
+mod ball;
+mod kdop;
 
 use std::ops::{ControlFlow, Range};
 
-use glam::Vec3;
 use obvhs::bvh2::leaf_collapser::collapse;
 use obvhs::bvh2::{Bvh2, node::Bvh2Node};
-use rayon::prelude::*;
 use smallvec::SmallVec;
 
 use crate::counters::Counters;
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
 use super::build::boxes_of;
-use super::builder::Builder;
-use super::sphere_ray::SphereRay;
+use super::builder::{Builder, TreeChoice};
 use super::{Accel, Bounded, Build, Built, OptionInfo, Order, StructureShape};
+
+pub use ball::Ball;
+pub use kdop::KDop;
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
 const USUAL_DEPTH: usize = 32;
 
-/// A binary tree of balls.
-#[derive(Clone, Debug)]
-pub struct BallTree {
-    nodes: Vec<[Child; 2]>,
-    /// The ball around all; `None` if there are no primitives.
-    root: Option<Child>,
+/// A form of bounding volumes.
+pub trait Volume: Clone + Copy + Default + Send + Sync + 'static {
+    /// A ray as such volumes see it.
+    type Ray;
+
+    /// A ray; the box ray has the padding.
+    fn ray(ray: &Ray, box_ray: &BoxRay) -> Self::Ray;
+
+    /// The volume about the middle of a node's box, which holds all corners of some of the primitives' boxes. Indices that
+    /// are [`NONE`] stand for nothing.
+    fn around(bounds: &Aabb, boxes: &[Aabb], some: &[u32]) -> Self;
+
+    /// Where a ray enters the volume, if it meets that between its own begin and an end, both included. It must be met
+    /// by every ray that meets, between the same, the padded box of a primitive inside.
+    fn entered(&self, ray: &Self::Ray, end: f32) -> Option<f64>;
 }
 
-/// A leaf or a node, and the ball around it.
+/// A binary tree of bounding volumes.
+#[derive(Clone, Debug)]
+pub struct VolumeTree<V> {
+    nodes: Vec<[Child<V>; 2]>,
+    /// The volume around all; `None` if there are no primitives.
+    root: Option<Child<V>>,
+}
+
+/// A binary tree of bounding balls.
+pub type BallTree = VolumeTree<Ball>;
+
+/// A binary tree of polytopes between seven pairs of parallel planes.
+pub type KDopTree = VolumeTree<KDop>;
+
+/// A leaf or a node, and the volume around it.
 #[derive(Clone, Copy, Debug, Default)]
-struct Child {
-    center: Vec3,
-    /// Not less than the distance of any corner of a box below.
-    radius: f32,
+struct Child<V> {
+    volume: V,
     /// First slot of a leaf, or index of a node.
     first: u32,
     /// Slots of a leaf; 0 for a node.
@@ -56,13 +73,13 @@ struct Child {
 const BUILDER: OptionInfo = Builder::option("sah");
 const LEAF: OptionInfo = OptionInfo::leaf(32, "4");
 
-impl Accel for BallTree {
+impl<V: Volume> Accel for VolumeTree<V> {
     const ONE_BY_ONE: bool = true;
 
-    /// As measured.
-    const BUILD_BYTES: u64 = 200;
+    /// As measured with balls, and what larger volumes take more.
+    const BUILD_BYTES: u64 = 170 + size_of::<Child<V>>() as u64;
 
-    const OPTIONS: &'static [OptionInfo] = &[BUILDER, LEAF];
+    const OPTIONS: &'static [OptionInfo] = &[BUILDER, Builder::REINSERTION, LEAF];
 
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         let Build { config, grain, stages } = build;
@@ -70,11 +87,11 @@ impl Accel for BallTree {
             return Built { accel: Self { nodes: Vec::new(), root: None }, order: None };
         }
         let most = config.options.number(&LEAF).unwrap_or(config.max_leaf.min(4)).max(1);
-        let builder = Builder::chosen(&config.options, &BUILDER).unwrap_or(Builder::Sah);
-        let mut tree = builder.tree(primitives, *grain, 1, config.quality, stages);
+        let choice = TreeChoice::of(config, &BUILDER, Builder::Sah);
+        let mut tree = choice.tree(primitives, *grain, 1, stages);
         let cost = config.quality.parameters().collapse_traversal_cost;
         stages.time("collapse", || collapse(&mut tree, most, cost));
-        stages.time("balls", || lay_out(&tree, &boxes_of(primitives), *grain))
+        stages.time("volumes", || lay_out(&tree, &boxes_of(primitives), *grain))
     }
 
     #[inline]
@@ -86,14 +103,14 @@ impl Accel for BallTree {
         mut leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
     ) {
         let Some(root) = self.root else { return };
-        let sphere_ray = SphereRay::new(ray, box_ray);
+        let volume_ray = V::ray(ray, box_ray);
         let mut end = ray.t_max;
         counters.boxes(1);
-        let Some(begin) = root.entered(&sphere_ray, end) else { return };
-        let mut stack = SmallVec::<[(Child, f64); USUAL_DEPTH]>::new();
+        let Some(begin) = root.volume.entered(&volume_ray, end) else { return };
+        let mut stack = SmallVec::<[(Child<V>, f64); USUAL_DEPTH]>::new();
         stack.push((root, begin));
         while let Some((at, begin)) = stack.pop() {
-            // Inclusive: a ball that begins at the end may hold a tie.
+            // Inclusive: a volume that begins at the end may hold a tie.
             if begin > f64::from(end) {
                 continue;
             }
@@ -106,7 +123,7 @@ impl Accel for BallTree {
             }
             counters.boxes(2);
             let children = &self.nodes[at.first as usize];
-            let [a, b] = [0, 1].map(|i| children[i].entered(&sphere_ray, end));
+            let [a, b] = [0, 1].map(|i| children[i].volume.entered(&volume_ray, end));
             // The nearer child last, so that it is on top.
             let nearer = usize::from(b < a);
             for (child, begin) in [(1 - nearer, [b, a][nearer]), (nearer, [a, b][nearer])] {
@@ -125,7 +142,7 @@ impl Accel for BallTree {
     fn shape(&self) -> StructureShape {
         let nodes = self.nodes.len() as u64;
         let mut shape = StructureShape { nodes, bytes: self.bytes(), ..StructureShape::default() };
-        let mut open: Vec<(Child, u32)> = self.root.iter().map(|&root| (root, 0)).collect();
+        let mut open: Vec<(Child<V>, u32)> = self.root.iter().map(|&root| (root, 0)).collect();
         while let Some((child, depth)) = open.pop() {
             match child.count {
                 0 => open.extend(self.nodes[child.first as usize].map(|child| (child, depth + 1))),
@@ -136,47 +153,20 @@ impl Accel for BallTree {
     }
 }
 
-impl Child {
-    /// With the ball about the middle of a node's box around the boxes of some primitives.
-    fn around(self, node: &Bvh2Node, boxes: &[Aabb], some: &[u32]) -> Self {
-        let center = Vec3::from(0.5 * node.aabb().min + 0.5 * node.aabb().max);
-        let middle = center.as_dvec3();
-        let square = |&index: &u32| {
-            // Of a box the corner that is farther along each axis.
-            let bounds = boxes[index as usize];
-            let [low, high] = [bounds.min, bounds.max].map(|corner| Vec3::from(corner).as_dvec3());
-            (low - middle).abs().max((high - middle).abs()).length_squared()
-        };
-        let all = some.par_iter().with_min_len(1 << 12).filter(|&&index| index != NONE);
-        let largest = all.map(square).reduce(|| 0.0, f64::max);
-        // Rounded up: to the next float if the nearest is less.
-        let exact = largest.sqrt() * (1.0 + 4.0 * f64::EPSILON);
-        let radius = exact as f32;
-        let radius = if f64::from(radius) < exact { radius.next_up() } else { radius };
-        Self { center, radius, ..self }
-    }
-
-    /// Where a ray enters the ball.
-    #[inline(always)]
-    fn entered(&self, ray: &SphereRay, end: f32) -> Option<f64> {
-        ray.enters(self.center.as_dvec3(), f64::from(self.radius), end)
-    }
-}
-
 /// What is still to be done of a walk: which child of which node it is, `None` for the root.
-enum Step<'a> {
+enum Step<'a, V> {
     Enter(&'a Bvh2Node, Option<(usize, usize)>),
     /// The slots of all below begin there.
-    Leave(&'a Bvh2Node, Option<(usize, usize)>, Child, usize),
+    Leave(&'a Bvh2Node, Option<(usize, usize)>, Child<V>, usize),
 }
 
-/// Puts balls in the place of boxes, in the order in which a walk meets them, and moves every leaf's range
+/// Puts volumes in the place of boxes, in the order in which a walk meets them, and moves every leaf's range
 /// to a multiple of `grain`.
-fn lay_out(tree: &Bvh2, boxes: &[Aabb], grain: u32) -> Built<BallTree> {
-    let mut nodes: Vec<[Child; 2]> = Vec::with_capacity(tree.nodes.len() / 2);
+fn lay_out<V: Volume>(tree: &Bvh2, boxes: &[Aabb], grain: u32) -> Built<VolumeTree<V>> {
+    let mut nodes: Vec<[Child<V>; 2]> = Vec::with_capacity(tree.nodes.len() / 2);
     let mut order: Vec<u32> = Vec::with_capacity(tree.primitive_indices.len());
     let mut root = Child::default();
-    let mut open = vec![Step::Enter(&tree.nodes[0], None)];
+    let mut open: Vec<Step<'_, V>> = vec![Step::Enter(&tree.nodes[0], None)];
     while let Some(step) = open.pop() {
         match step {
             Step::Enter(from, parent) if from.is_leaf() => {
@@ -198,7 +188,9 @@ fn lay_out(tree: &Bvh2, boxes: &[Aabb], grain: u32) -> Built<BallTree> {
                 open.extend([below(1), below(0)]);
             }
             Step::Leave(from, parent, child, begin) => {
-                let child = child.around(from, boxes, &order[begin..]);
+                let box_of = Aabb { min: from.aabb().min, max: from.aabb().max };
+                let volume = V::around(&box_of, boxes, &order[begin..]);
+                let child = Child { volume, ..child };
                 match parent {
                     Some((node, side)) => nodes[node][side] = child,
                     None => root = child,
@@ -207,20 +199,22 @@ fn lay_out(tree: &Bvh2, boxes: &[Aabb], grain: u32) -> Built<BallTree> {
         }
     }
     nodes.shrink_to_fit();
-    Built { accel: BallTree { nodes, root: Some(root) }, order: Some(Order::Permutation(order)) }
+    Built { accel: VolumeTree { nodes, root: Some(root) }, order: Some(Order::Permutation(order)) }
 }
 
 #[cfg(test)]
-mod tests {
-    use glam::{DVec3, Vec3A};
+pub(super) mod tests {
+    use glam::Vec3A;
 
     use super::super::builder::tests::Boxes;
     use super::super::{BuildConfig, BuildStages};
     use super::*;
     use crate::math::Random;
 
-    #[test]
-    fn balls_hold_the_corners_of_all_boxes_below() {
+    /// Builds a tree over small boxes and asks, for every leaf and each of its boxes, whether all volumes above hold it.
+    pub(in super::super) fn assert_volumes_hold_what_is_below<V: Volume>(
+        holds: impl Fn(&V, &Aabb) -> bool,
+    ) {
         let mut random = Random::new(&[37]);
         let mut point = || Vec3A::from_array(std::array::from_fn(|_| random.next_f32()));
         let boxes: Vec<Aabb> = (0..700)
@@ -229,26 +223,50 @@ mod tests {
             .collect();
         let config = BuildConfig::default();
         let mut build = Build { config: &config, grain: 4, stages: &mut BuildStages::default() };
-        let Built { accel, order } = BallTree::build(&Boxes(boxes.clone()), &mut build);
+        let Built { accel, order } = VolumeTree::<V>::build(&Boxes(boxes.clone()), &mut build);
         let order = order.expect("there is an order");
         let mut open = vec![(accel.root.expect("there are boxes"), vec![])];
         let mut leaves = 0;
         while let Some((child, mut above)) = open.pop() {
-            above.push((child.center.as_dvec3(), f64::from(child.radius)));
+            above.push(child.volume);
             if child.count == 0 {
                 open.extend(accel.nodes[child.first as usize].map(|below| (below, above.clone())));
                 continue;
             }
             leaves += child.count;
             for slot in child.first..child.first + child.count {
-                for corner in boxes[order.slots()[slot as usize] as usize].corners() {
-                    let corner = Vec3::from(corner).as_dvec3();
-                    assert!(above.iter().all(|&(center, radius): &(DVec3, f64)| {
-                        corner.distance_squared(center) <= radius * radius
-                    }));
-                }
+                let bounds = &boxes[order.slots()[slot as usize] as usize];
+                assert!(above.iter().all(|volume| holds(volume, bounds)));
             }
         }
         assert_eq!(leaves, 700);
+    }
+
+    /// Asks whether every ray that meets a padded box meets the volume around it, and no later.
+    pub(in super::super) fn assert_what_the_box_accepts_the_volume_accepts<V: Volume>() {
+        use crate::math::Padding;
+        use glam::Vec3;
+
+        let mut random = Random::new(&[19]);
+        let (mut met, mut missed) = (0, 0);
+        for number in 0..20_000 {
+            let mut point = || Vec3A::from_array(std::array::from_fn(|_| random.next_f32() - 0.5));
+            let aabb = Aabb::of_points([point(), point()]);
+            let origin = [1.0, 3.0, 1e3][number % 3] * Vec3::from(point());
+            let (a, b) = (Vec3::from(aabb.corners()[number % 8]), Vec3::from(point()));
+            let ray = Ray::new(origin, a + [0.0, 1e-3, 0.3][number / 3 % 3] * b - origin);
+            let box_ray = BoxRay::new(&ray, Padding::of_bounds(&aabb));
+            let (near, far) = box_ray.interval(&aabb);
+            let volume = V::around(&aabb, &[aabb], &[0, NONE]);
+            let entered = volume.entered(&V::ray(&ray, &box_ray), near.max(0.0));
+            if near.max(0.0) <= far {
+                met += 1;
+                let begin = entered.expect("the box is met");
+                assert!(begin <= f64::from(near.max(0.0)), "{ray:?} {aabb:?}");
+            } else {
+                missed += u32::from(volume.entered(&V::ray(&ray, &box_ray), f32::MAX).is_none());
+            }
+        }
+        assert!(met > 5_000 && missed > 500, "{met} {missed}");
     }
 }
