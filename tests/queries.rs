@@ -5,7 +5,8 @@
 
 use srt::accel::{
     Accel, AllHits, AnyHit, BallTree, BoundingBall, BuildConfig, Bvh, Bvh8, ClosestHit,
-    CompressedWideBvh, Exhaustive, Filtered, Grid, Indexed, KdTree, Octree, Query, TwoLevelGrid,
+    CompressedWideBvh, Exhaustive, Filtered, Grid, Indexed, KDopTree, KdTree, Octree, Query,
+    TwoLevelGrid,
 };
 use srt::conformance::adversarial_rays::{bundles_around, rays_at};
 use srt::conformance::nasty_meshes::{self, Mesh};
@@ -69,6 +70,7 @@ fn all_hits_and_filtered_hits_are_the_same_in_every_structure() {
         compare::<TwoLevelGrid>(&mesh, &rays, &all);
         compare::<Octree>(&mesh, &rays, &all);
         compare::<BallTree>(&mesh, &rays, &all);
+        compare::<KDopTree>(&mesh, &rays, &all);
     }
 }
 

@@ -39,9 +39,10 @@ fn what_is_no_structure_is_refused() {
 fn the_structures_are_listed_with_their_options() {
     let Run { code, stdout, stderr } = run_in(Path::new("."), &["accels"]);
     assert_eq!((code, stderr.as_str()), (0, ""));
-    for name in
-        ["none", "ball", "bvh", "cwbvh", "bvh8", "kdtree", "grid", "grid2", "octree", "balls"]
-    {
+    for name in [
+        "none", "ball", "bvh", "cwbvh", "bvh8", "kdtree", "grid", "grid2", "octree", "balls",
+        "kdop",
+    ] {
         assert!(
             stdout.lines().any(|line| line.split(' ').next() == Some(name)),
             "{name}: {stdout}"
