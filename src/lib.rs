@@ -101,6 +101,8 @@ pub mod render;
 #[cfg(feature = "program")]
 pub mod report;
 #[cfg(feature = "program")]
+pub mod scatter;
+#[cfg(feature = "program")]
 pub mod scene;
 #[cfg(feature = "program")]
 pub mod scene_file;

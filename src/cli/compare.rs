@@ -111,7 +111,8 @@ fn differences(comparison: &Comparison) -> Vec<String> {
     for sweep in &comparison.sweeps {
         for entry in sweep.dropped.iter().filter(|entry| entry.failed) {
             let Dropped { structure, triangles, reason, .. } = entry;
-            lines.push(format!("{} of {triangles} triangles, {structure}: {reason}", sweep.mesh));
+            let size = format!("{triangles} {}", sweep.unit);
+            lines.push(format!("{} of {size}, {structure}: {reason}", sweep.mesh));
         }
     }
     lines
