@@ -28,7 +28,7 @@ use crate::math::{Aabb, BoxRay, NONE, Ray};
 use super::build::boxes_of;
 use super::builder::Builder;
 use super::sphere_ray::SphereRay;
-use super::{Accel, Bounded, Build, Built, OptionInfo, Order, StructureShape};
+use super::{Accel, Bounded, Build, Built, OptionInfo, Order, RegionForm, Regions, StructureShape};
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
 const USUAL_DEPTH: usize = 32;
@@ -119,6 +119,21 @@ impl Accel for BallTree {
 
     fn bytes(&self) -> u64 {
         (size_of::<Self>() + size_of_val(&self.nodes[..])) as u64
+    }
+
+    fn regions(&self) -> Regions {
+        let mut regions = Regions::default();
+        let mut open: Vec<(Child, u32)> = self.root.iter().map(|&root| (root, 0)).collect();
+        while let Some((Child { center, radius, first, count }, level)) = open.pop() {
+            let form = RegionForm::Ball { center, radius };
+            if count > 0 {
+                regions.push_leaf(form, level, first..first + count);
+                continue;
+            }
+            regions.push_inner(form, level);
+            open.extend(self.nodes[first as usize].iter().rev().map(|&child| (child, level + 1)));
+        }
+        regions
     }
 
     /// There is no [`Tree`](super::Tree), which is one of boxes.

@@ -12,6 +12,7 @@ use super::exit::EXIT_CODES;
 use super::part_args::{AssembleArguments, PartArguments};
 use super::rays_args::RaysArguments;
 use super::render_args::RenderArguments;
+use super::show_args::ShowArguments;
 use super::values;
 use super::view_args::ViewArguments;
 use crate::assets::generate::MeshKind;
@@ -27,6 +28,7 @@ Examples:
   srt scene.sce picture.png --progressive --time 30s
   srt scene.sce picture.png --checkpoint scene.srtc --resume
   srt view scene.sce                               look at it in a browser while editing it
+  srt show bvh scene.sce -o bvh.html               the tree over the scene, level by level
   srt part scene.sce --part 3/7 -o part-3.srtp     one of seven machines' parts
   srt assemble part-*.srtp -o picture.png          the same picture
   srt compare scenes/hall.sce                      how fast each structure is, as a report
@@ -69,6 +71,8 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Look at a scene in a browser: move the camera, exchange structures, edit the scene
     View(ViewArguments),
+    /// Draw a structure over a scene, level by level, as a page with a slider
+    Show(ShowArguments),
     /// Render a part of a picture, for another machine to put together
     Part(PartArguments),
     /// Put the parts of a picture together

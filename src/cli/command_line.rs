@@ -20,6 +20,7 @@ pub(crate) fn command(structures: &Structures) -> Command {
             view.mut_arg("accel", one).mut_arg("crop", |crop| crop.hide(true))
         })
         .mut_subcommand("part", |part| part.mut_arg("accel", one))
+        .mut_subcommand("show", |show| show.mut_arg("accel", one))
         .mut_subcommand("compare", |compare| compare.mut_arg("accel", list))
         .mut_subcommand("conformance", |check| check.mut_arg("accel", list))
 }

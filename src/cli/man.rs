@@ -87,6 +87,7 @@ mod tests {
         let expected = [
             "srt.1",
             "srt-view.1",
+            "srt-show.1",
             "srt-part.1",
             "srt-assemble.1",
             "srt-pack.1",

@@ -13,6 +13,7 @@
 //! | `command_line.rs` | the definition with the structures of this program; what was typed |
 //! | `work.rs`, `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
 //! | `refine.rs`, `checkpoint.rs`, `origin.rs` | a rendering in passes, saved and gone on with; what it is of |
+//! | `show.rs`, `show_args.rs` | a structure as a page of pictures |
 //! | `view.rs`, `view_args.rs`, `watch.rs` | the live page, and the files that it follows |
 //! | `frames.rs`, `sequence.rs` | the frames of a scene that moves, and their pictures |
 //! | `part.rs`, `assemble.rs`, `pack.rs` | the subcommands for many machines |
@@ -74,6 +75,8 @@ mod render_args;
 mod report;
 mod result_folder;
 mod sequence;
+mod show;
+mod show_args;
 mod source;
 mod structures;
 mod summary;
@@ -126,6 +129,7 @@ fn dispatch(structures: &Structures) -> CommandResult {
     match arguments.command {
         None => render::run(arguments.render, &interrupt),
         Some(Command::View(view)) => view::run(view, structures),
+        Some(Command::Show(show)) => show::run(show),
         Some(Command::Part(part)) => part::run(part, &interrupt),
         Some(Command::Assemble(assemble)) => assemble::run(&assemble),
         Some(Command::Pack(pack)) => pack::run(&pack),

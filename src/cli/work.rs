@@ -110,9 +110,18 @@ impl Work {
             view: self.view,
             count: count && !self.structure.peer,
         };
-        if self.view == View::Heatmap && self.structure.peer {
-            let name = self.structure.name;
-            return Err(Failure::new(format_args!("`{name}` counts no tests: it has no heatmap")));
+        let name = self.structure.name;
+        match self.view {
+            View::Heatmap if self.structure.peer => {
+                let what = format_args!("`{name}` counts no tests: it has no heatmap");
+                return Err(Failure::new(what));
+            }
+            View::Cells if self.structure.peer => {
+                let what =
+                    format_args!("`{name}` is another program's: it does not show its cells");
+                return Err(Failure::new(what));
+            }
+            _ => {}
         }
         check_region(settings.width, settings.height, settings.crop)?;
         check_samples(&settings)?;
@@ -122,17 +131,30 @@ impl Work {
     /// Builds the structure, on the threads of the current pool.
     pub(crate) fn build(&self, scene: &Scene) -> Result<Box<dyn TracedWorld>, Failure> {
         let name = self.structure.name;
-        self.structure
+        let world = self
+            .structure
             .try_build(scene, &self.build)
-            .map_err(|error| Failure::new(format_args!("`{name}`: {error}")))
+            .map_err(|error| Failure::new(format_args!("`{name}`: {error}")))?;
+        if self.view == View::Cells && world.regions().is_empty() {
+            return Err(Failure::new(format_args!(
+                "`{name}` has no cells over this scene: it tests every primitive; choose another structure"
+            )));
+        }
+        Ok(world)
     }
 
     /// What would differ from machine to machine cannot be put together or gone on with: `option` says what asks.
     pub(crate) fn refuse_what_differs(&self, option: &str) -> Result<(), Failure> {
-        if self.view == View::Heatmap {
+        if self.view.shows_structure() {
+            let view = self.view.name();
+            let what = if self.view == View::Heatmap {
+                "what a structure tested"
+            } else {
+                "the structure"
+            };
             return Err(Failure::new(format_args!(
-                "{option} is for what is the same whatever the structure, and --view heatmap shows what a \
-                 structure tested: leave one of them out"
+                "{option} is for what is the same whatever the structure, and --view {view} shows {what}: \
+                 leave one of them out"
             )));
         }
         if self.structure.peer {
@@ -190,7 +212,7 @@ pub(crate) fn same_file(path: &Path, output: &Output) -> bool {
 
 /// A crop must lie within the picture, whose size may be known only from the scene, and what is
 /// rendered must fit into memory.
-fn check_region(width: u32, height: u32, crop: Option<Crop>) -> Result<(), Failure> {
+pub(crate) fn check_region(width: u32, height: u32, crop: Option<Crop>) -> Result<(), Failure> {
     let Some(crop) = crop else {
         return check_pixels(Crop { x0: 0, y0: 0, x1: width, y1: height });
     };
@@ -219,7 +241,7 @@ fn check_pixels(region: Crop) -> Result<(), Failure> {
 const MOST_THREADS_A_PROCESSOR: usize = 4;
 
 /// As many threads as were typed, or one a processor.
-fn threads(typed: Option<u16>) -> Result<usize, Failure> {
+pub(crate) fn threads(typed: Option<u16>) -> Result<usize, Failure> {
     let processors = available_parallelism().map_or(1, std::num::NonZero::get);
     let (threads, most) =
         (typed.map_or(processors, usize::from), MOST_THREADS_A_PROCESSOR * processors);
@@ -245,7 +267,7 @@ fn check_samples(settings: &Settings) -> Result<(), Failure> {
     )))
 }
 
-fn build_config(quality: Quality) -> BuildConfig {
+pub(crate) fn build_config(quality: Quality) -> BuildConfig {
     BuildConfig { quality, ..BuildConfig::default() }
 }
 

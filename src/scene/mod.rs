@@ -23,6 +23,7 @@ mod structures;
 mod surface;
 mod transforms;
 mod world;
+mod world_regions;
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -45,6 +46,7 @@ pub use structures::{PEERS, STRUCTURES, Structure, structure_named};
 pub use surface::Surface;
 use transforms::Transforms;
 pub use world::{BuildReport, TracedWorld, World};
+pub use world_regions::WorldRegions;
 
 /// A scene, compiled: plain data in the world's space, ready to be indexed and traced.
 #[derive(Clone, Debug)]

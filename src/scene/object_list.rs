@@ -88,6 +88,11 @@ impl<A: Accel> ObjectList<A> {
         std::mem::swap(&mut self.meshes, meshes);
     }
 
+    /// The object in a slot.
+    pub(super) fn id_of(&self, slot: u32) -> u32 {
+        self.objects[slot as usize].id
+    }
+
     /// The slots of some objects.
     pub(super) fn slots_of(&mut self, objects: &[u32]) -> Vec<u32> {
         if self.slots.len() != self.objects.len() {

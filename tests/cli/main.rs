@@ -21,6 +21,7 @@ mod rays;
 #[cfg(unix)]
 mod refine;
 mod rendering;
+mod show;
 mod stats;
 mod support;
 mod tone;
