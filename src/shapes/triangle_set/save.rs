@@ -2,7 +2,8 @@
 
 use std::io;
 
-use glam::Vec3A;
+use glam::{Vec3, Vec3A};
+use rayon::prelude::*;
 
 use crate::accel::{Decoder, Encoder, LoadError, PACK, PortablePrimitives};
 use crate::math::Padding;
@@ -23,10 +24,11 @@ impl PortablePrimitives for TriangleSet {
 
     fn write(&self, slots: &[u32], out: &mut Encoder<'_>) -> io::Result<()> {
         out.vec3(self.mean_vertex.into())?;
-        for &slot in slots {
-            self.slot(slot).0.corners.into_iter().try_for_each(|corner| out.vec3(corner))?;
-        }
-        Ok(())
+        out.list(slots, |&slot| {
+            let corners =
+                self.slot(slot).0.corners.map(|corner| corner.to_array().map(f32::to_bits));
+            std::array::from_fn::<_, 9, _>(|place| corners[place / 3][place % 3])
+        })
     }
 
     fn read(count: u32, input: &mut Decoder<'_>) -> Result<Self, LoadError> {
@@ -34,13 +36,13 @@ impl PortablePrimitives for TriangleSet {
         if !mean_vertex.is_finite() {
             return Err(LoadError::invalid("the mean of the vertices is not finite"));
         }
-        let triangles = input.list(count, |input| {
-            let triangle = Triangle::new([input.vec3()?, input.vec3()?, input.vec3()?]);
-            match triangle.is_finite() {
-                true => Ok(triangle),
-                false => Err(LoadError::invalid("a triangle is not finite")),
-            }
+        let triangles = input.list(count, "triangles", |words: [u32; 9]| {
+            let [a, b, c, d, e, f, g, h, i] = words.map(f32::from_bits);
+            Triangle::new([Vec3::new(a, b, c), Vec3::new(d, e, f), Vec3::new(g, h, i)])
         })?;
+        if !triangles.par_iter().all(Triangle::is_finite) {
+            return Err(LoadError::invalid("a triangle is not finite"));
+        }
         let packs = pack(triangles.len(), |slot| Some((*triangles.get(slot)?, slot as u32)));
         let padding = Padding { largest: 0.0, factor: 1.0 };
         let set = Self { packs, count, mean_vertex, padding };
