@@ -75,6 +75,8 @@ pub mod analysis;
 #[cfg(feature = "program")]
 pub mod assets;
 #[cfg(feature = "program")]
+pub mod built_file;
+#[cfg(feature = "program")]
 pub mod cli;
 #[cfg(feature = "program")]
 pub mod compare;

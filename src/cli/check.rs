@@ -27,7 +27,7 @@ pub(super) fn run(arguments: &CheckArguments) -> CommandResult {
 }
 
 fn check(path: &Path, lenient: bool) -> CommandResult {
-    let error = match load(path, lenient, 0) {
+    let error = match load(path, lenient) {
         Ok(loaded) => return show(path, &loaded),
         Err(error) => error,
     };

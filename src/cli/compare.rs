@@ -121,7 +121,7 @@ fn differences(comparison: &Comparison) -> Vec<String> {
 fn load_all(arguments: &CompareArguments) -> Result<Option<Vec<SceneInput>>, Failure> {
     let mut scenes: Vec<SceneInput> = Vec::new();
     for path in &arguments.scenes {
-        let loaded = match load(path, arguments.lenient, 0) {
+        let loaded = match load(path, arguments.lenient) {
             Ok(loaded) => loaded,
             Err(error) => {
                 print_load_error(&error);

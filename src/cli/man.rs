@@ -90,6 +90,7 @@ mod tests {
             "srt-part.1",
             "srt-assemble.1",
             "srt-pack.1",
+            "srt-build.1",
             "srt-check.1",
             "srt-compare.1",
             "srt-animate.1",

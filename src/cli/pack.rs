@@ -39,6 +39,12 @@ pub(super) fn run(arguments: &PackArguments) -> CommandResult {
             return Ok(Exit::Trouble);
         }
     };
+    if file.source().built().is_some() {
+        let path = path.display();
+        return Err(Failure::new(format_args!(
+            "`{path}` is a built scene, and has no mesh files: pack the scene that it was built from"
+        )));
+    }
     let loaded = match file.frame(0) {
         Ok(loaded) => loaded,
         Err(error) => {

@@ -121,7 +121,7 @@ fn follow(studio: &Studio, work: &Work, mut files: WatchedFiles) {
 /// Loads the scene and shows it, or says what is wrong with it. The meshes that it names, if it can be read.
 fn reload(studio: &Studio, work: &Work) -> Option<Vec<MeshReference>> {
     match studio
-        .on_threads(|| SceneFile::read(&work.scene, work.lenient)?.without_colors().frame(0))
+        .on_threads(|| SceneFile::read(&work.scene, work.lenient)?.without_colors().usual_frame())
     {
         Ok(loaded) => {
             let meshes = loaded.description.meshes.clone();

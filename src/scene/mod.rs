@@ -36,7 +36,7 @@ pub use crate::shapes::EndPointOverlap;
 
 pub use camera::Camera;
 pub use change::SceneChange;
-pub use error::{BuildError, SceneError};
+pub use error::{BuildError, ReadError, SaveError, SceneError};
 pub use foreign::{ForeignBuild, ForeignBytes, ForeignTracer, TriangleObject};
 pub use lights::Light;
 pub use object::Object;

@@ -83,6 +83,11 @@ impl<A: Accel> ObjectList<A> {
         list
     }
 
+    /// The object in each slot.
+    pub(super) fn ids(&self) -> Vec<u32> {
+        self.objects.iter().map(|object| object.id).collect()
+    }
+
     /// Takes the meshes out, for as long as they change, and puts others in.
     pub(super) fn swap_meshes(&mut self, meshes: &mut Vec<Arc<Indexed<TriangleSet, A>>>) {
         std::mem::swap(&mut self.meshes, meshes);

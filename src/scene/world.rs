@@ -1,5 +1,7 @@
 //! A scene with a structure over it, on two levels.
 
+mod saved;
+
 use std::convert::Infallible;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
