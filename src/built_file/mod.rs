@@ -1,5 +1,5 @@
-//! A scene with its meshes as they are traced, for a structure that was built over it and follows: numbers as they are
-//! in memory, so that nothing is parsed. Described in `docs/built-file.md`. Touches no file.
+//! A scene's text with its meshes as they are traced, for the compiled scene and a structure over it that follow:
+//! numbers as they are in memory, so that nothing is parsed. Described in `docs/built-file.md`. Touches no file.
 
 mod error;
 mod meshes;
@@ -37,7 +37,9 @@ pub struct BuiltScene {
     pub quality: String,
     /// Whether unknown commands were warnings.
     pub lenient: bool,
-    /// The frame, of a scene that moves.
+    /// Whether the scene moves, so that another frame is another scene.
+    pub moves: bool,
+    /// The frame.
     pub frame: u32,
     /// The hash that files of parts have of the scene.
     pub hash: Hash,
@@ -57,7 +59,7 @@ impl BuiltScene {
         bytes.starts_with(&MAGIC)
     }
 
-    /// Writes it; the structure is to follow.
+    /// Writes it; the compiled scene and its structure are to follow.
     ///
     /// # Errors
     /// If it cannot be written, or if the text or a list of a mesh is too long for 32 bits.
@@ -70,6 +72,7 @@ impl BuiltScene {
         out.name(&self.structure)?;
         out.name(&self.quality)?;
         out.u32(u32::from(self.lenient))?;
+        out.u32(u32::from(self.moves))?;
         out.u32(self.frame)?;
         out.bytes(&self.hash)?;
         out.bytes(&self.fingerprint)?;
@@ -120,6 +123,7 @@ fn head(program: &Program, input: &mut Decoder<'_>) -> Result<BuiltScene, BuiltF
             structure: input.name()?,
             quality: input.name()?,
             lenient: input.u32()? != 0,
+            moves: input.u32()? != 0,
             frame: input.u32()?,
             hash: input.array()?,
             fingerprint: input.array()?,

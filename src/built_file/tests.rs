@@ -16,6 +16,7 @@ fn scene() -> BuiltScene {
         structure: "bvh8:leaf=4".to_owned(),
         quality: "medium".to_owned(),
         lenient: true,
+        moves: true,
         frame: 12,
         hash: [1; 32],
         fingerprint: [2; 32],

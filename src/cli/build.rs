@@ -6,7 +6,7 @@ use std::time::Instant;
 use super::args::BuildArguments;
 use super::exit::{CommandResult, Exit, Failure};
 use super::fingerprint;
-use super::load::{LoadError, Loaded, SceneFile, print_load_error};
+use super::load::{Described, LoadError, SceneFile, print_load_error};
 use super::origin::{program, scene_hash};
 use super::output::Output;
 use super::terminal::print_message;
@@ -36,22 +36,24 @@ pub(super) fn run(arguments: &BuildArguments) -> CommandResult {
     }
     let pool = pool_of(threads(arguments.threads)?)?;
     let start = Instant::now();
-    let (file, loaded) = match pool.install(|| loaded(arguments)) {
+    let (file, described) = match pool.install(|| described(arguments)) {
         Ok(read) => read,
         Err(error) => {
             print_load_error(&error);
             return Ok(Exit::Trouble);
         }
     };
+    let loaded = &described.loaded;
     if !quiet && !loaded.warnings.is_empty() {
         print_message(&loaded.warnings);
     }
-    let built = built(arguments, &file, &loaded)?;
+    let built = built(arguments, &file, &described)?;
     let mut bytes = 0;
     let mut unsaved = None;
     let write = |to: &mut dyn Write| {
         let to = &mut Counted { to, bytes: &mut bytes };
         built.write(&program(), to)?;
+        loaded.scene.write(to)?;
         match accel.save(&loaded.scene, &build_config(arguments.build), to) {
             Err(SaveError::Unwritable(error)) => Err(error),
             Err(error) => {
@@ -80,29 +82,30 @@ pub(super) fn run(arguments: &BuildArguments) -> CommandResult {
     Ok(Exit::Fine)
 }
 
-fn loaded(arguments: &BuildArguments) -> Result<(SceneFile, Loaded), LoadError> {
+fn described(arguments: &BuildArguments) -> Result<(SceneFile, Described), LoadError> {
     let mut file = SceneFile::read(&arguments.scene, arguments.lenient)?;
-    let loaded = match arguments.frame {
-        Some(frame) => file.frame(frame)?,
+    let described = match arguments.frame {
+        Some(frame) => file.described(frame)?,
         None => file.usual_frame()?,
     };
-    Ok((file, loaded))
+    Ok((file, described))
 }
 
-/// All that is written but the structure.
+/// All that is written but the compiled scene and its structure.
 fn built(
     arguments: &BuildArguments,
     file: &SceneFile,
-    loaded: &Loaded,
+    Described { loaded, description, keyed_frames }: &Described,
 ) -> Result<BuiltScene, Failure> {
     let source = file.source();
-    let fingerprint = fingerprint::of_source(source, &loaded.description)
+    let fingerprint = fingerprint::of_source(source, description)
         .map_err(|error| Failure::new(format_args!("cannot read a mesh again: {error}")))?;
     let lenient = source.built().is_some_and(|built| built.scene.lenient);
     Ok(BuiltScene {
         structure: arguments.accel.name.to_owned(),
         quality: arguments.build.name().to_owned(),
         lenient: arguments.lenient || lenient,
+        moves: keyed_frames.is_some(),
         frame: loaded.frame,
         hash: scene_hash(loaded),
         fingerprint,

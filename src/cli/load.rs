@@ -10,6 +10,7 @@ use crate::assets::{
     AssetError, LoadedMeshes, MeshData, MeshFiles, MeshLoader, Problem, available_memory,
     check_meshes,
 };
+use crate::built_file::BuiltFileError;
 use crate::description::{MeshReference, SceneDescription, Shape};
 use crate::scene::Scene;
 use crate::scene_file::{
@@ -23,21 +24,27 @@ pub(crate) struct Loaded {
     pub(crate) text: String,
     /// The frame that it was read for.
     pub(crate) frame: u32,
-    /// The first and the last frame of all keys, if the scene moves.
-    pub(crate) keyed_frames: Option<[f64; 2]>,
-    /// The scene as written.
-    pub(crate) description: SceneDescription,
     /// The scene as traced.
     pub(crate) scene: Scene,
     /// Warnings, as text without a last line end; empty if there are none.
     pub(crate) warnings: String,
     /// The structure that was built over it, if it is from a built scene.
-    pub(crate) built: Option<BuiltStructure>,
+    pub(crate) built: Option<SavedStructure>,
+}
+
+/// The same, with the scene as written.
+pub(crate) struct Described {
+    /// What can be traced.
+    pub(crate) loaded: Loaded,
+    /// The first and the last frame of all keys, if the scene moves.
+    pub(crate) keyed_frames: Option<[f64; 2]>,
+    /// The scene as written.
+    pub(crate) description: SceneDescription,
 }
 
 /// A structure that was built over a scene and can be read.
 #[derive(Clone, Debug)]
-pub(crate) struct BuiltStructure {
+pub(crate) struct SavedStructure {
     /// The file, as typed.
     pub(crate) path: PathBuf,
     /// The structure, with its options.
@@ -92,23 +99,58 @@ impl SceneFile {
         Self { colors: false, ..self }
     }
 
-    /// The scene in the frame that it was built for, or in the first.
-    pub(crate) fn usual_frame(&mut self) -> Result<Loaded, LoadError> {
-        self.frame(self.built_frame().unwrap_or(0))
-    }
-
-    /// The frame that it was built for, if it was.
-    pub(crate) fn built_frame(&self) -> Option<u32> {
-        self.source.built().map(|built| built.scene.frame)
-    }
-
     /// What was read.
     pub(crate) fn source(&self) -> &Source {
         &self.source
     }
 
-    /// The scene in a frame with its meshes, loaded on the threads of the current rayon pool.
+    /// The scene in a frame, on the threads of the current rayon pool. One that was built is read as it was compiled;
+    /// what it was warned of is not said again.
     pub(crate) fn frame(&mut self, frame: u32) -> Result<Loaded, LoadError> {
+        match self.source.built() {
+            None => Ok(self.described(frame)?.loaded),
+            Some(built) => self.compiled(built, frame),
+        }
+    }
+
+    fn compiled(&self, built: &Built, frame: u32) -> Result<Loaded, LoadError> {
+        self.expect_frame(frame)?;
+        let Built { scene: built, rest } = built;
+        let mut bytes = rest.clone();
+        let size = bytes.size();
+        let scene = Scene::read(built.meshes.clone(), &mut bytes, size).map_err(|source| {
+            let source = BuiltFileError::part("the compiled scene", source);
+            SourceError::Built { path: self.path.clone(), source }
+        })?;
+        Ok(Loaded {
+            text: self.source.text().into_owned(),
+            frame,
+            scene,
+            warnings: String::new(),
+            built: Some(SavedStructure {
+                path: self.path.clone(),
+                structure: built.structure.clone(),
+                quality: built.quality.clone(),
+                hash: (built.frame == frame).then_some(built.hash),
+                bytes,
+            }),
+        })
+    }
+
+    /// A built scene that moves is that of one frame.
+    fn expect_frame(&self, asked: u32) -> Result<(), SourceError> {
+        match self.source.built() {
+            Some(Built { scene, .. }) if scene.moves && scene.frame != asked => {
+                let (path, built) = (self.path.clone(), scene.frame);
+                Err(SourceError::Frame { path, built, asked })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The scene in a frame with its meshes, parsed and compiled on the threads of the current rayon pool.
+    pub(crate) fn described(&mut self, frame: u32) -> Result<Described, LoadError> {
+        self.expect_frame(frame)?;
         let written = self.source.text();
         let memory = available_memory();
         let built = self.source.built();
@@ -120,30 +162,16 @@ impl SceneFile {
             Some(built) => Meshes::Built(&built.scene.meshes),
             None => Meshes::Files(self.source.files(), &mut self.meshes),
         };
-        let compiled = compile(&written, meshes, &options);
-        if let Some(built) = built
-            && built.scene.frame != frame
-            && compiled.as_ref().map_or(true, |(parsed, _)| parsed.keyed_frames.is_some())
-        {
-            let (path, built) = (self.path.clone(), built.scene.frame);
-            return Err(SourceError::Frame { path, built, asked: frame }.into());
-        }
-        match compiled {
-            Ok((parsed, scene)) => Ok(Loaded {
-                built: built.map(|Built { scene, rest }| BuiltStructure {
-                    path: self.path.clone(),
-                    structure: scene.structure.clone(),
-                    quality: scene.quality.clone(),
-                    hash: (scene.frame == frame).then_some(scene.hash),
-                    bytes: rest.clone(),
-                }),
-                warnings: say(&parsed.warnings),
-                text: written.into_owned(),
-                frame,
-                keyed_frames: parsed.keyed_frames,
-                description: parsed.description,
-                scene,
-            }),
+        match compile(&written, meshes, &options) {
+            Ok((parsed, scene)) => {
+                let warnings = say(&parsed.warnings);
+                let text = written.into_owned();
+                Ok(Described {
+                    loaded: Loaded { text, frame, scene, warnings, built: None },
+                    keyed_frames: parsed.keyed_frames,
+                    description: parsed.description,
+                })
+            }
             Err(Uncompiled { diagnostics, meshes }) => Err(LoadError::Invalid {
                 path: self.path.clone(),
                 meshes,
@@ -152,11 +180,21 @@ impl SceneFile {
             }),
         }
     }
+
+    /// The scene in the frame that it was built for, or in the first.
+    pub(crate) fn usual_frame(&mut self) -> Result<Described, LoadError> {
+        self.described(self.built_frame().unwrap_or(0))
+    }
+
+    /// The frame that it was built for, if it was.
+    pub(crate) fn built_frame(&self) -> Option<u32> {
+        self.source.built().map(|built| built.scene.frame)
+    }
 }
 
 /// Loads a scene with its meshes, on the threads of the current rayon pool: as it is in its first frame, or in that for
 /// which it was built.
-pub(crate) fn load(path: &Path, lenient: bool) -> Result<Loaded, LoadError> {
+pub(crate) fn load(path: &Path, lenient: bool) -> Result<Described, LoadError> {
     SceneFile::read(path, lenient)?.usual_frame()
 }
 

@@ -107,7 +107,7 @@ fn import(arguments: &ImportArguments) -> CommandResult {
     let output = Output::prepare(&arguments.output)?;
     let rays = foreign_rays(arguments)?;
     let loaded = match load(&arguments.scene, false) {
-        Ok(loaded) => loaded,
+        Ok(described) => described.loaded,
         Err(error) => {
             print_load_error(&error);
             return Ok(Exit::Trouble);

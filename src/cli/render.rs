@@ -9,7 +9,7 @@ use super::args::Arguments;
 use super::exit::{CommandResult, Exit, Failure};
 use super::figures::Figures;
 use super::interrupt::Interrupt;
-use super::load::{BuiltStructure, Loaded};
+use super::load::{Loaded, SavedStructure};
 use super::near::nearest;
 use super::options::{RenderOptions, Stats};
 use super::output::{OutputError, print};
@@ -43,7 +43,7 @@ pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> CommandR
 /// What is needed of a scene that was loaded, as it is rendered.
 pub(super) struct Begin {
     scene: Scene,
-    built: Option<BuiltStructure>,
+    built: Option<SavedStructure>,
     /// The state of a refinement, if it is refined.
     refined: Option<Begun>,
 }

@@ -8,7 +8,7 @@ use std::thread::available_parallelism;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::exit::Failure;
-use super::load::{BuiltStructure, Loaded, SceneFile, print_load_error};
+use super::load::{Described, LoadError, Loaded, SavedStructure, SceneFile, print_load_error};
 use super::output::Output;
 use super::source;
 use super::terminal::print_message;
@@ -144,7 +144,7 @@ impl Work {
     pub(crate) fn adopt(&mut self, loaded: &Loaded) -> Result<(), Failure> {
         self.frame = loaded.frame;
         let Some(built) = &loaded.built else { return Ok(()) };
-        let BuiltStructure { structure, quality, .. } = built;
+        let SavedStructure { structure, quality, .. } = built;
         let file = source::quoted(&built.path);
         if self.structure.name != structure {
             if self.typed.structure {
@@ -176,7 +176,7 @@ impl Work {
     pub(crate) fn build(
         &self,
         scene: &Scene,
-        built: Option<&BuiltStructure>,
+        built: Option<&SavedStructure>,
     ) -> Result<Box<dyn TracedWorld>, Failure> {
         let name = self.structure.name;
         if let Some(built) = built {
@@ -187,7 +187,7 @@ impl Work {
             .map_err(|error| Failure::new(format_args!("`{name}`: {error}")))
     }
 
-    fn read(&self, scene: &Scene, built: &BuiltStructure) -> Result<Box<dyn TracedWorld>, Failure> {
+    fn read(&self, scene: &Scene, built: &SavedStructure) -> Result<Box<dyn TracedWorld>, Failure> {
         let mut bytes = built.bytes.clone();
         let size = bytes.size();
         let of_part =
@@ -229,22 +229,30 @@ impl Work {
 
     /// Loads the scene and prints its warnings; or prints why there is none.
     pub(crate) fn load(&self, pool: &ThreadPool) -> Option<Loaded> {
-        let load = || {
-            let mut file = SceneFile::read(&self.scene, self.lenient)?;
-            let own = file.built_frame().filter(|_| !self.typed.frame);
-            file.frame(own.unwrap_or(self.frame))
-        };
-        match pool.install(load) {
-            Ok(loaded) => {
-                if !self.quiet && !loaded.warnings.is_empty() {
-                    print_message(&loaded.warnings);
-                }
-                Some(loaded)
-            }
-            Err(error) => {
-                print_load_error(&error);
-                None
-            }
+        let load = || self.file().and_then(|(mut file, frame)| file.frame(frame));
+        let loaded = pool.install(load).map_err(|error| print_load_error(&error)).ok()?;
+        self.warn(&loaded);
+        Some(loaded)
+    }
+
+    /// The same, with the scene as written.
+    pub(crate) fn describe(&self, pool: &ThreadPool) -> Option<Described> {
+        let describe = || self.file().and_then(|(mut file, frame)| file.described(frame));
+        let described = pool.install(describe).map_err(|error| print_load_error(&error)).ok()?;
+        self.warn(&described.loaded);
+        Some(described)
+    }
+
+    /// The scene's file, and the frame that is wanted of it.
+    fn file(&self) -> Result<(SceneFile, u32), LoadError> {
+        let file = SceneFile::read(&self.scene, self.lenient)?;
+        let own = file.built_frame().filter(|_| !self.typed.frame);
+        Ok((file, own.unwrap_or(self.frame)))
+    }
+
+    fn warn(&self, loaded: &Loaded) {
+        if !self.quiet && !loaded.warnings.is_empty() {
+            print_message(&loaded.warnings);
         }
     }
 

@@ -64,6 +64,11 @@ impl Camera {
         })
     }
 
+    /// As it was described.
+    pub(super) fn description(&self) -> &description::Camera {
+        &self.description
+    }
+
     /// The same view in a picture of another size. The vertical field of view stays.
     #[must_use]
     pub fn resized(&self, width: u32, height: u32) -> Self {

@@ -19,6 +19,7 @@ mod mesh_rays;
 mod object;
 mod object_list;
 mod range;
+mod saved;
 mod structures;
 mod surface;
 mod transforms;
@@ -26,6 +27,8 @@ mod world;
 
 use std::borrow::Cow;
 use std::sync::Arc;
+
+use rayon::prelude::*;
 
 use crate::assets::MeshData;
 use crate::description::{Material, Options, Shape};
@@ -67,7 +70,11 @@ impl Scene {
     /// The box around all objects; empty if there are none.
     #[must_use]
     pub fn bounds(&self) -> Aabb {
-        self.objects.iter().map(|object| object.bounds()).fold(Aabb::EMPTY, Aabb::union)
+        let chunks = self.objects.par_chunks(1 << 12);
+        let of_chunk = |objects: &[Object]| {
+            objects.iter().map(|object| object.bounds()).fold(Aabb::EMPTY, Aabb::union)
+        };
+        chunks.map(of_chunk).reduce(|| Aabb::EMPTY, Aabb::union)
     }
 
     /// The meshes, as objects refer to them.
@@ -106,6 +113,7 @@ impl Scene {
     /// Whether any material lets light through.
     #[must_use]
     pub fn has_transparency(&self) -> bool {
-        self.objects.iter().any(|object| self.materials[object.material].alpha < 1.0)
+        self.materials.iter().any(|material| material.alpha < 1.0)
+            && self.objects.iter().any(|object| self.materials[object.material].alpha < 1.0)
     }
 }

@@ -4,6 +4,7 @@
 
 mod animate;
 mod arguments;
+mod built;
 mod check;
 mod compare;
 mod conformance;

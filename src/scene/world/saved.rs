@@ -9,7 +9,7 @@ use glam::Vec3A;
 
 use crate::accel::{
     Accel, Bounded as _, BuildStages, Decoder, Encoder, Indexed, LoadError, Portable,
-    PortablePrimitives as _, Primitives as _,
+    PortablePrimitives as _,
 };
 use crate::assets::MeshData;
 use crate::scene::{ObjectList, ReadError, Scene};
@@ -93,9 +93,8 @@ fn read_objects<O: Portable, T: Accel>(
         return Err(LoadError::invalid(format!("it is of {count} objects")));
     }
     let arrange = |order: &[u32]| {
-        let mut list = ObjectList::new(scene, meshes);
-        list.reorder(order);
-        Ok(list)
+        ObjectList::in_order(scene, meshes, order)
+            .ok_or_else(|| LoadError::invalid("a transform has no inverse"))
     };
     let read = Indexed::read_structure(count, arrange, input)?;
     input.checksum()?;
