@@ -267,3 +267,6 @@ fn matrix_of(words: [u32; 24]) -> DAffine3 {
     let number = |place: usize| u64::from(words[2 * place + 1]) << 32 | u64::from(words[2 * place]);
     DAffine3::from_cols_array(&std::array::from_fn(|place| f64::from_bits(number(place))))
 }
+
+#[cfg(test)]
+mod tests;

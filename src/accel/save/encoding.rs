@@ -16,7 +16,7 @@ use super::checksum::{Fnv, xxh64};
 
 /// The most bytes that have a checksum together, and the most such pieces in a group.
 const PIECE: usize = 1 << 18;
-const PIECES: usize = 16;
+const PIECES: usize = 8;
 
 /// So many elements are converted by a thread at a time, at least.
 const AT_ONCE: usize = 1 << 10;
@@ -107,11 +107,13 @@ pub struct Decoder<'a> {
     /// How many bytes there are, at most; not known where it is none.
     size: Option<u64>,
     checksum: Fnv,
+    /// The group of a list that is read, kept for the next.
+    group: Vec<u8>,
 }
 
 impl<'a> Decoder<'a> {
     pub(crate) fn new(input: &'a mut dyn Read) -> Self {
-        Self { input, size: None, checksum: Fnv::NEW }
+        Self { input, size: None, checksum: Fnv::NEW, group: Vec::new() }
     }
 
     /// The same, of a source that has so many bytes: room for lists is then taken once.
@@ -164,7 +166,7 @@ impl<'a> Decoder<'a> {
             list.reserve_exact(length as usize);
             ask_for_huge_pages(list.spare_capacity_mut());
         }
-        let (mut sums, mut bytes) = (Vec::new(), Vec::new());
+        let mut sums = Vec::new();
         let mut left = length as usize;
         while left > 0 {
             let count = left.min(PIECES * const { in_piece(N) });
@@ -172,17 +174,20 @@ impl<'a> Decoder<'a> {
             sums.resize(count.div_ceil(const { in_piece(N) }), [0; 8]);
             self.input.read_exact(sums.as_flattened_mut())?;
             self.checksum.add(sums.as_flattened());
-            bytes.resize(count, [[0; 4]; N]);
-            self.input.read_exact(bytes.as_flattened_mut().as_flattened_mut())?;
-            let pieces = bytes.par_chunks(const { in_piece(N) });
-            let are_right = pieces.zip(&sums).all(|(piece, sum)| {
-                xxh64(piece.as_flattened().as_flattened()) == u64::from_le_bytes(*sum)
-            });
+            self.group.resize(4 * N * count, 0);
+            self.input.read_exact(&mut self.group)?;
+            let pieces = self.group.par_chunks(const { 4 * N * in_piece(N) });
+            let are_right =
+                pieces.zip(&sums).all(|(piece, sum)| xxh64(piece) == u64::from_le_bytes(*sum));
             if !are_right {
                 return Err(LoadError::Damaged { what });
             }
-            let words = bytes.par_iter().with_min_len(AT_ONCE);
-            list.par_extend(words.map(|bytes| element(bytes.map(u32::from_le_bytes))));
+            let (words, _) = self.group.as_chunks::<4>();
+            let elements = words.par_chunks_exact(N).with_min_len(AT_ONCE);
+            list.par_extend(elements.map(|words| {
+                let words: &[_; N] = words.first_chunk().expect("elements are whole");
+                element(words.map(u32::from_le_bytes))
+            }));
         }
         list.shrink_to_fit();
         Ok(list)
@@ -271,8 +276,8 @@ mod tests {
     fn what_was_altered_is_named() {
         let mut bytes = written();
         let length = bytes.len();
-        let list_at = length - 8 - 20 * MANY as usize - 8 * 18;
-        for place in [list_at + 3, list_at + 9 * 8, list_at + 16 * 8, length - 9, length - 20] {
+        let list_at = length - 8 - 20 * MANY as usize - 8 * 10;
+        for place in [list_at + 3, list_at + 7 * 8, list_at + 8 * 8, length - 9, length - 20] {
             bytes[place] ^= 1;
             let error = read(&bytes, None).unwrap_err();
             assert!(matches!(error, LoadError::Damaged { what: "fives" }), "{place}: {error}");
