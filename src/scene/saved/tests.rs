@@ -34,7 +34,7 @@ fn scene() -> Scene {
             .enumerate()
             .map(|(place, (shape, transform))| description::Object {
                 material: place % 2,
-                ..description::Object::new::<Shape>(shape, transform)
+                ..description::Object::new(shape, transform)
             })
             .collect(),
         lights: vec![
