@@ -28,9 +28,9 @@ pub enum BuiltFileError {
     )]
     OtherProgram {
         /// By which.
-        of: Program,
+        of: Box<Program>,
         /// This one.
-        this: Program,
+        this: Box<Program>,
     },
     /// It ends within a part of it.
     #[error("it is cut off in {part}")]
@@ -47,12 +47,12 @@ pub enum BuiltFileError {
         what: &'static str,
     },
     /// A part is not what it should be, or cannot be read.
-    #[error("{part} in it is wrong: {source}")]
+    #[error("{part} in it is wrong: {what}")]
     Wrong {
         /// Which.
         part: String,
         /// In which way.
-        source: LoadError,
+        what: String,
     },
     /// Something follows its end.
     #[error("it is longer than it should be: it was altered, or something was put behind it")]
@@ -67,7 +67,9 @@ impl BuiltFileError {
         match source {
             LoadError::Truncated => Self::Truncated { part },
             LoadError::Damaged { what } => Self::Altered { part, what },
-            source => Self::Wrong { part, source },
+            LoadError::Invalid { what } => Self::Wrong { part, what },
+            LoadError::Unreadable(error) => Self::Wrong { part, what: error.to_string() },
+            other => Self::Wrong { part, what: other.to_string() },
         }
     }
 }

@@ -135,7 +135,7 @@ fn head(program: &Program, input: &mut Decoder<'_>) -> Result<BuiltScene, BuiltF
     };
     let built = rest().map_err(in_head)?;
     if of != *program {
-        return Err(BuiltFileError::OtherProgram { of, this: program.clone() });
+        return Err(BuiltFileError::OtherProgram { of: of.into(), this: program.clone().into() });
     }
     Ok(built)
 }

@@ -104,8 +104,7 @@ fn meshes_that_cannot_be_traced_are_refused() {
         scene.meshes[1] = Arc::new(mesh);
         read(&written(&scene)).unwrap_err().to_string()
     };
-    let wrong =
-        |what: &str| format!("mesh 2 in it is wrong: a saved structure is not valid: {what}");
+    let wrong = |what: &str| format!("mesh 2 in it is wrong: {what}");
     assert_eq!(
         error(&|mesh| mesh.triangles[0][2] = 4),
         wrong("a triangle has a vertex that is not there")

@@ -52,7 +52,7 @@ impl Scene {
         out.checksum()?;
         out.list(&self.materials, words_of_material)?;
         out.list(&self.lights, words_of_light)?;
-        out.list(&transforms, |matrix| words_of_matrix(matrix))?;
+        out.list(&transforms, words_of_matrix)?;
         out.list(&shapes, |shape: &[f32; 9]| shape.map(f32::to_bits))?;
         out.list(&objects, |object| *object)?;
         out.checksum()

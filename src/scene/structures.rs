@@ -55,7 +55,7 @@ pub struct Structure {
 #[derive(Clone, Copy, Debug)]
 struct Saved {
     write: fn(&Scene, &BuildConfig, &mut dyn Write) -> io::Result<()>,
-    read: fn(&Scene, &mut dyn Read, u64) -> Result<Box<dyn TracedWorld>, ReadError>,
+    read: ReadFunction,
 }
 
 /// What can be done with a structure that gives equal hits.
@@ -72,6 +72,8 @@ const PACKED_TRIANGLE: u64 = 40;
 const LISTED_OBJECT: u64 = 60;
 
 const NO_OPTIONS: &BuildOptions = &BuildOptions::NONE;
+
+type ReadFunction = fn(&Scene, &mut dyn Read, u64) -> Result<Box<dyn TracedWorld>, ReadError>;
 
 type BuildFunction = fn(&Scene, &BuildConfig) -> Result<Box<dyn TracedWorld>, BuildError>;
 

@@ -121,7 +121,7 @@ impl Node {
     };
 
     /// The planes and children, row by row: all that the rest follows from.
-    pub(super) fn to_words(&self) -> [u32; ORDERS] {
+    pub(super) fn stored_words(&self) -> [u32; ORDERS] {
         std::array::from_fn(|place| self.words[place])
     }
 

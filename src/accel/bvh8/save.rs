@@ -19,7 +19,7 @@ impl Portable for Bvh8 {
 
     fn write(&self, out: &mut Encoder<'_>) -> io::Result<()> {
         out.u32(self.nodes.len() as u32)?;
-        out.list(&self.nodes, Node::to_words)
+        out.list(&self.nodes, Node::stored_words)
     }
 
     fn read(

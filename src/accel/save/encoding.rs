@@ -117,6 +117,7 @@ impl<'a> Decoder<'a> {
     }
 
     /// The same, of a source that has so many bytes: room for lists is then taken once.
+    #[cfg(feature = "program")]
     pub(crate) fn of_size(input: &'a mut dyn Read, size: u64) -> Self {
         Self { size: Some(size), ..Self::new(input) }
     }
