@@ -47,8 +47,8 @@ pub struct BuiltScene {
     pub fingerprint: Hash,
     /// The scene's text as it was in its file.
     pub text: Vec<u8>,
-    /// The meshes as they are traced, generated and deformed, in the order in which the scene names them. Those that are
-    /// the same are one.
+    /// The meshes as they are traced, generated and deformed, in the order in which the scene names them. Those that
+    /// are the same are one.
     pub meshes: Vec<Arc<MeshData>>,
 }
 

@@ -1,5 +1,5 @@
-//! A built scene whose checksums are made right → meshes, a compiled scene and a structure over it, which gives the hits
-//! of none at all.
+//! A built scene whose checksums are made right → meshes, a compiled scene and a structure over it, which gives the
+//! hits of none at all.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
