@@ -55,8 +55,8 @@
     doc = "\
 From scenes to pictures it is [`scene_file::parse`], [`assets::load_meshes`], [`scene::Scene::new`],
 [`scene::Structure::build`] and [`render::render`]. [`compare`] measures structures, [`report`] writes
-what it found, [`live`] and [`serve`] are the page of `srt view`, and [`cli::run_with`] gives a structure of your own the
-whole command line.
+what it found, [`live`] and [`serve`] are the page of `srt view`, [`show`] draws structures level by level, and
+[`cli::run_with`] gives a structure of your own the whole command line.
 
 The layers, and which of them may use which, are described in `ARCHITECTURE.md`; a test holds every
 `crate::` path to that table."
@@ -74,6 +74,8 @@ pub mod simd;
 pub mod analysis;
 #[cfg(feature = "program")]
 pub mod assets;
+#[cfg(feature = "program")]
+pub mod built_file;
 #[cfg(feature = "program")]
 pub mod cli;
 #[cfg(feature = "program")]
@@ -101,6 +103,8 @@ pub mod render;
 #[cfg(feature = "program")]
 pub mod report;
 #[cfg(feature = "program")]
+pub mod scatter;
+#[cfg(feature = "program")]
 pub mod scene;
 #[cfg(feature = "program")]
 pub mod scene_file;
@@ -108,6 +112,8 @@ pub mod scene_file;
 mod sealed;
 #[cfg(feature = "program")]
 pub mod serve;
+#[cfg(feature = "program")]
+pub mod show;
 
 #[cfg(any(doc, doctest))]
 #[doc = include_str!("../docs/library.md")]
@@ -122,6 +128,10 @@ mod pages {
     #[cfg(feature = "program")]
     #[doc = include_str!("../CONTRIBUTING.md")]
     struct Contributing;
+
+    #[cfg(feature = "program")]
+    #[doc = include_str!("../docs/your-structure.md")]
+    struct YourStructure;
 
     #[doc = include_str!("../README.md")]
     struct Readme;

@@ -135,8 +135,8 @@ fn what_is_something_else_is_called_by_its_name() {
     let mut of_bvh8 = saved(&built::<Bvh8>(&few(), Quality::Medium));
     assert_eq!(error(b"v 0 0 0\nv 1 0 0\n"), "this is not a saved structure");
     assert_eq!(error(&of_bvh8[..5]), "a saved structure ends too early");
-    of_bvh8[8] = 3;
-    let version = "a saved structure has version 3 of the format, and only 2 can be read";
+    of_bvh8[8] = 4;
+    let version = "a saved structure has version 4 of the format, and only 3 can be read";
     assert_eq!(error(&of_bvh8), version);
     let unreadable = Triangles::<Bvh8>::load(Unreadable).unwrap_err();
     assert!(matches!(unreadable, LoadError::Unreadable(_)));
@@ -150,15 +150,116 @@ impl Read for Unreadable {
     }
 }
 
-/// The checksum of the format, written anew from its description: FNV-1a over all bytes before it.
-fn with_checksum(mut bytes: Vec<u8>) -> Vec<u8> {
-    let content = bytes.len() - 8;
-    let mut sum = 0xCBF2_9CE4_8422_2325_u64;
-    for &byte in &bytes[..content] {
-        sum = (sum ^ u64::from(byte)).wrapping_mul(0x100_0000_01B3);
+/// The checksum of lists, written anew from its description: XXH64.
+fn xxh64(bytes: &[u8]) -> u64 {
+    const P: [u64; 5] = [
+        11_400_714_785_074_694_791,
+        14_029_467_366_897_019_727,
+        1_609_587_929_392_839_161,
+        9_650_029_242_287_828_579,
+        2_870_177_450_012_600_261,
+    ];
+    let word = |at: usize| u64::from_le_bytes(*bytes[at..].first_chunk().unwrap());
+    let round = |sum: u64, word: u64| {
+        sum.wrapping_add(word.wrapping_mul(P[1])).rotate_left(31).wrapping_mul(P[0])
+    };
+    let (mut at, mut hash) = (0, P[4]);
+    if bytes.len() >= 32 {
+        let mut sums = [P[0].wrapping_add(P[1]), P[1], 0, P[0].wrapping_neg()];
+        while at + 32 <= bytes.len() {
+            for sum in &mut sums {
+                *sum = round(*sum, word(at));
+                at += 8;
+            }
+        }
+        let turned = sums.iter().zip([1, 7, 12, 18]).map(|(sum, turn)| sum.rotate_left(turn));
+        hash = turned.fold(0, u64::wrapping_add);
+        for sum in sums {
+            hash = (hash ^ round(0, sum)).wrapping_mul(P[0]).wrapping_add(P[3]);
+        }
     }
-    bytes.splice(content.., sum.to_le_bytes());
+    hash = hash.wrapping_add(bytes.len() as u64);
+    while at + 8 <= bytes.len() {
+        hash ^= round(0, word(at));
+        hash = hash.rotate_left(27).wrapping_mul(P[0]).wrapping_add(P[3]);
+        at += 8;
+    }
+    if at + 4 <= bytes.len() {
+        let word = u32::from_le_bytes(*bytes[at..].first_chunk().unwrap());
+        hash ^= u64::from(word).wrapping_mul(P[0]);
+        hash = hash.rotate_left(23).wrapping_mul(P[1]).wrapping_add(P[2]);
+        at += 4;
+    }
+    assert_eq!(at, bytes.len(), "lists consist of words");
+    hash = (hash ^ (hash >> 33)).wrapping_mul(P[1]);
+    hash = (hash ^ (hash >> 29)).wrapping_mul(P[2]);
+    hash ^ (hash >> 32)
+}
+
+/// The checksum at the end, written anew from its description: FNV-1a over all bytes before it but
+/// those of lists.
+fn fnv(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xCBF2_9CE4_8422_2325, |sum, &byte| {
+        (sum ^ u64::from(byte)).wrapping_mul(0x100_0000_01B3)
+    })
+}
+
+fn u32_at(bytes: &[u8], at: usize) -> u32 {
+    u32::from_le_bytes(*bytes[at..].first_chunk().unwrap())
+}
+
+/// Where the number of primitives is.
+fn count_at(bytes: &[u8]) -> usize {
+    let name_end = 13 + usize::from(bytes[12]);
+    name_end + 1 + usize::from(bytes[name_end])
+}
+
+/// The bytes of a saved structure with the checksums that they should have, as far as its lists can
+/// be found: each of so few elements that it has one checksum.
+fn with_checksums(mut bytes: Vec<u8>) -> Vec<u8> {
+    let end = bytes.len() - 8;
+    let name = bytes[13..13 + usize::from(bytes[12])].to_vec();
+    let mut loose = Vec::new();
+    let (mut before, mut at) = (0, count_at(&bytes));
+    let sizes = [
+        36,
+        4,
+        match &name[..] {
+            b"bvh" => 64,
+            b"bvh8" => 224,
+            b"cwbvh" => 80,
+            _ => 0,
+        },
+    ];
+    for (list, size) in sizes.into_iter().enumerate().filter(|(_, size)| *size > 0) {
+        let length = u32_at(&bytes, at) as usize;
+        // Behind the number of triangles is the mean of their vertices; a single leaf is no list.
+        let sum_at = at + 4 + if list == 0 { 12 } else { 0 };
+        let list_end = length.checked_mul(size).map(|size| sum_at + 8 + size);
+        let Some(list_end) = list_end.filter(|list_end| *list_end <= end && length > 0) else {
+            break;
+        };
+        let sum = xxh64(&bytes[sum_at + 8..list_end]);
+        bytes[sum_at..sum_at + 8].copy_from_slice(&sum.to_le_bytes());
+        loose.extend_from_slice(&bytes[before..sum_at + 8]);
+        (before, at) = (list_end, list_end);
+    }
+    loose.extend_from_slice(&bytes[before..end]);
+    bytes[end..].copy_from_slice(&fnv(&loose).to_le_bytes());
     bytes
+}
+
+#[test]
+fn the_checksums_are_those_that_are_described() {
+    let saved_bytes = [
+        saved(&built::<Exhaustive>(&few(), Quality::Medium)),
+        saved(&built::<Bvh>(&few(), Quality::Medium)),
+        saved(&built::<CompressedWideBvh>(&few(), Quality::Medium)),
+        saved(&built::<Bvh8>(&few(), Quality::Medium)),
+    ];
+    for bytes in saved_bytes {
+        assert_eq!(with_checksums(bytes.clone()), bytes);
+    }
 }
 
 /// Each byte changed in several ways.
@@ -198,17 +299,18 @@ fn a_changed_byte_or_a_missing_one_is_an_error() {
 /// that of the ids.
 fn without_structure(bytes: &[u8]) -> Triangles<Exhaustive> {
     let name_end = 13 + usize::from(bytes[12]);
-    let count_at = name_end + 1 + usize::from(bytes[name_end]);
-    let count = u32::from_le_bytes(*bytes[count_at..].first_chunk().unwrap());
-    let order_at = count_at + 4 + 12 + 36 * count as usize;
+    let count_at = count_at(bytes);
+    let count = u32_at(bytes, count_at);
+    let order_at = count_at + 4 + 12 + 8 + 36 * count as usize;
     let slots = count.next_multiple_of(8);
     let order =
         (0..slots).flat_map(|slot| (if slot < count { slot } else { u32::MAX }).to_le_bytes());
     let mut exhaustive = [&bytes[..12], b"\x04none", &bytes[name_end..order_at]].concat();
     exhaustive.extend(slots.to_le_bytes());
+    exhaustive.extend([0; 8]);
     exhaustive.extend(order);
     exhaustive.extend([0; 8]);
-    load(&with_checksum(exhaustive)).unwrap()
+    load(&with_checksums(exhaustive)).unwrap()
 }
 
 /// Bytes that were made to be loaded: their checksum is right, and what they say is not.
@@ -218,7 +320,7 @@ fn check_forgeries<A: Portable>() {
     let bytes = saved(&built::<A>(&mesh, Quality::Medium));
     let (mut loaded, mut refused) = (0, 0);
     for (_, bytes) in damaged(&bytes[..bytes.len() - 8]) {
-        let bytes = with_checksum([bytes, vec![0; 8]].concat());
+        let bytes = with_checksums([bytes, vec![0; 8]].concat());
         match load::<A>(&bytes) {
             Ok(index) => {
                 assert_same(&without_structure(&bytes), &index, &rays);

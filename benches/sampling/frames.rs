@@ -4,10 +4,10 @@ use std::time::Duration;
 
 use criterion::BenchmarkGroup;
 use criterion::measurement::WallTime;
-use srt::accel::{BuildConfig, Tracer};
+use srt::accel::BuildConfig;
 use srt::image_io::{Picture, compare};
 use srt::render::{Image, Sampling, Settings, Silent, render};
-use srt::scene::{Scene, structure_named};
+use srt::scene::{Scene, TracedWorld, structure_named};
 use srt::scene_file::{ParseOptions, parse};
 
 const SCENE: &str = "sce1.0
@@ -51,7 +51,7 @@ pub(crate) fn measure(group: &mut BenchmarkGroup<'_, WallTime>) {
     }
 }
 
-fn picture(scene: &Scene, tracer: &dyn Tracer, settings: &Settings) -> Picture {
+fn picture(scene: &Scene, tracer: &dyn TracedWorld, settings: &Settings) -> Picture {
     match render(scene, tracer, settings, &Silent).image {
         Image::Color(picture) => picture,
         Image::Scalar { .. } => unreachable!("a colour view was chosen"),

@@ -16,7 +16,8 @@ use crate::math::{BoxRay, Ray};
 use super::save::expect_dense;
 use super::sphere_ray::SphereRay;
 use super::{
-    Accel, Bounded, Build, Built, Decoder, Encoder, LoadError, Portable, Slots, StructureShape,
+    Accel, Bounded, Build, Built, Decoder, Encoder, LoadError, Portable, RegionForm, Regions,
+    Slots, StructureShape,
 };
 
 /// Offers everything to the rays that hit the ball, nothing to the others.
@@ -51,6 +52,15 @@ impl Accel for BoundingBall {
 
     fn bytes(&self) -> u64 {
         size_of::<Self>() as u64
+    }
+
+    fn regions(&self) -> Regions {
+        let mut regions = Regions::default();
+        if self.count > 0 {
+            let (center, radius) = (self.center.as_vec3(), self.radius as f32);
+            regions.push_leaf(RegionForm::Ball { center, radius }, 0, 0..self.count);
+        }
+        regions
     }
 
     fn shape(&self) -> StructureShape {

@@ -25,7 +25,9 @@ use crate::math::{Aabb, BoxRay, Ray};
 
 use super::build::boxes_of;
 use super::cells::{Boxes, CellLists, ListBuilder, Mailbox, PlaneRay, Raster, walk};
-use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape};
+use super::{
+    Accel, Allowed, Bounded, Build, Built, OptionInfo, RegionForm, Regions, StructureShape,
+};
 
 /// A primitive has at most so many references in the mean: where large ones would have more, there are
 /// fewer cells.
@@ -102,6 +104,18 @@ impl Accel for Grid {
 
     fn bytes(&self) -> u64 {
         (size_of::<Self>() + size_of_val(&self.cells[..])) as u64 + self.lists.bytes()
+    }
+
+    /// The whole, and the cells that are not empty.
+    fn regions(&self) -> Regions {
+        let mut regions = Regions::default();
+        let Some(raster) = &self.raster else { return regions };
+        regions.push_inner(RegionForm::Box(raster.bounds()), 0);
+        for (number, cell) in self.cells.iter().enumerate().filter(|(_, cell)| cell.count > 0) {
+            let form = RegionForm::Box(raster.cell(number));
+            regions.push_leaf(form, 1, self.lists.slots(cell.list()));
+        }
+        regions
     }
 
     /// One node; its leaves are the cells that are not empty.

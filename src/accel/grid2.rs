@@ -27,7 +27,9 @@ use crate::math::{Aabb, BoxRay, Ray};
 use super::build::boxes_of;
 use super::cells::{Boxes, CellLists, Filed, ListBuilder, Mailbox, PlaneRay, Raster, walk};
 use super::grid::Cell;
-use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape};
+use super::{
+    Accel, Allowed, Bounded, Build, Built, OptionInfo, RegionForm, Regions, StructureShape,
+};
 
 /// Coarse cells for each primitive: about the 0.12 of the paper.
 const COARSE: f64 = 0.125;
@@ -110,6 +112,27 @@ impl Accel for TwoLevelGrid {
     fn bytes(&self) -> u64 {
         let grids = size_of_val(&self.coarse[..]) + size_of_val(&self.cells[..]);
         (size_of::<Self>() + grids) as u64 + self.lists.bytes()
+    }
+
+    /// The whole, the coarse cells that are not empty, and the fine ones.
+    fn regions(&self) -> Regions {
+        let mut regions = Regions::default();
+        let Some(raster) = &self.raster else { return regions };
+        regions.push_inner(RegionForm::Box(raster.bounds()), 0);
+        let occupied = self.coarse.iter().enumerate().filter(|(_, cell)| cell.parts[0] > 0);
+        for (number, coarse) in occupied {
+            let bounds = raster.cell(number);
+            regions.push_inner(RegionForm::Box(bounds), 1);
+            let parts = Raster::new(&bounds, coarse.parts.map(u32::from));
+            for number in 0..parts.count() {
+                let list = self.cells[coarse.first as usize + number].list();
+                if !list.is_empty() {
+                    let form = RegionForm::Box(parts.cell(number));
+                    regions.push_leaf(form, 2, self.lists.slots(list));
+                }
+            }
+        }
+        regions
     }
 
     /// The nodes are the coarse grid and those in its cells, the leaves the cells that are not empty.

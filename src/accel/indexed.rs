@@ -7,7 +7,7 @@ use crate::math::{Aabb, Hit, Ray};
 
 use super::{
     Accel, Answers, AnyHit, Build, BuildConfig, BuildStages, ClosestHit, Moved, Packs, Primitives,
-    Query, Scratch, StructureShape, Tracer, Tree, search_one,
+    Query, Regions, Scratch, StructureShape, Tracer, Tree, search_one,
 };
 
 /// What debug builds say of rays whose hits are not defined.
@@ -162,6 +162,12 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     #[must_use]
     pub fn tree(&self) -> Option<Tree> {
         self.accel.tree()
+    }
+
+    /// The parts of space that the structure tests rays against; none where it has no boxes.
+    #[must_use]
+    pub fn regions(&self) -> Regions {
+        self.accel.regions()
     }
 
     /// The first hit of a ray in the order `(t, object, prim)`, or [`Hit::MISS`].

@@ -17,7 +17,7 @@
 //! | `octree.rs` | an octree |
 //! | `volumes/` | binary trees of bounding balls, and of polytopes between parallel planes |
 //!
-//! What partitions of space share is in `cells/`.
+//! What partitions of space share is in `cells/`, and `regions.rs` shows the parts of space of all structures.
 //! `refit.rs` lets the boxes of trees follow primitives that move.
 //! `save/` writes built structures to bytes and reads them back.
 //! Binary trees, which trees of all layouts are made from, are built in `builder/`.
@@ -41,6 +41,7 @@ mod order;
 mod packs;
 mod query;
 mod refit;
+mod regions;
 mod save;
 mod scratch;
 mod shape;
@@ -73,6 +74,7 @@ pub use order::Order;
 pub use packs::{NoPacks, NoRay, PACK, PackHits, Packs};
 pub use query::{AllHits, Answers, AnyHit, ClosestHit, Filtered, Query, QueryKind, Search};
 pub use refit::Moved;
+pub use regions::{Region, RegionForm, Regions};
 pub use save::{Decoder, Encoder, LoadError, Portable, PortablePrimitives, Slots};
 pub use scratch::Scratch;
 pub use shape::{LeafHistogram, StructureShape};
@@ -213,6 +215,11 @@ pub trait Accel: Sized + Send + Sync {
     /// where there is no tree.
     fn tree(&self) -> Option<Tree> {
         None
+    }
+
+    /// The parts of space that it tests rays against, level by level, for pictures: by default the nodes of its tree.
+    fn regions(&self) -> Regions {
+        self.tree().as_ref().map(Regions::of_tree).unwrap_or_default()
     }
 
     /// Nodes, leaves, depth and bytes: by default those of its tree.

@@ -24,7 +24,7 @@ use crate::math::{Aabb, BoxRay, Ray};
 
 use super::build::boxes_of;
 use super::cells::{CellLists, ListBuilder, MOST_REFERENCES, Mailbox, PlaneRay, references_option};
-use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape, Tree};
+use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, Regions, StructureShape, Tree};
 
 /// The most steps from the root to a leaf.
 const DEPTH: u32 = 21;
@@ -143,6 +143,11 @@ impl Accel for Octree {
 
     fn tree(&self) -> Option<Tree> {
         self.lists.are_slots().then(|| self.cells())?
+    }
+
+    fn regions(&self) -> Regions {
+        let cells = self.cells().unwrap_or_default();
+        Regions::of_tree_with(&cells, |list| self.lists.slots(list))
     }
 
     fn shape(&self) -> StructureShape {

@@ -6,11 +6,13 @@ use super::class::own_ns_per_ray;
 use super::statistics::{BetweenRuns, PowerLaw, log_log_fit};
 use crate::record::{Estimate, RayClass, Sweep, SweepPoint};
 
-/// The curves of a family of meshes.
+/// The curves of a family of scenes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SweepFigures {
     /// The family.
     pub mesh: String,
+    /// What its sizes count.
+    pub unit: String,
     /// One curve for each structure and class, in the order of their first points.
     pub curves: Vec<SweepCurve>,
 }
@@ -24,14 +26,14 @@ pub struct SweepCurve {
     pub class: RayClass,
     /// The measurements, by growing size.
     pub values: Vec<SweepValue>,
-    /// The power law fitted to nanoseconds per ray against triangles, where intervals support a statement.
+    /// The power law fitted to nanoseconds per ray against size, where intervals support a statement.
     pub fit: Option<PowerLaw>,
 }
 
 /// A point of a curve.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SweepValue {
-    /// Triangles in the mesh.
+    /// The size: triangles of the mesh, or objects.
     pub triangles: u64,
     /// Own time per ray in nanoseconds.
     pub ns_per_ray: Estimate,
@@ -66,7 +68,7 @@ impl SweepFigures {
             }
             curve.fit = fit(&curve.values);
         }
-        Self { mesh: sweep.mesh.clone(), curves }
+        Self { mesh: sweep.mesh.clone(), unit: sweep.unit.clone(), curves }
     }
 
     /// The curve of a structure and class.

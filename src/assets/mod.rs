@@ -6,6 +6,7 @@
 
 mod deform;
 mod error;
+mod file_reader;
 pub mod generate;
 mod load;
 mod memory;
@@ -15,6 +16,7 @@ mod obj;
 mod read;
 
 pub use error::{AssetError, FileLine, Problem};
+pub use file_reader::FileReader;
 pub use load::{
     LoadedMeshes, MeshFiles, MeshLoader, check_meshes, load_each_mesh, load_meshes, read_obj,
 };

@@ -6,15 +6,21 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use super::animate_args::AnimateArguments;
-use super::choice::described;
+use super::choice::{described, named};
 use super::compare_args::{CompareArguments, ConformanceArguments, ReportArguments};
 use super::exit::EXIT_CODES;
+use super::frames::LAST_FRAME;
 use super::part_args::{AssembleArguments, PartArguments};
 use super::rays_args::RaysArguments;
 use super::render_args::RenderArguments;
+use super::show_args::ShowArguments;
+use super::structures::Structures;
 use super::values;
 use super::view_args::ViewArguments;
+use super::work_args::USUAL_STRUCTURE;
+use crate::accel::Quality;
 use crate::assets::generate::MeshKind;
+use crate::scene::Structure;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -27,8 +33,10 @@ Examples:
   srt scene.sce picture.png --progressive --time 30s
   srt scene.sce picture.png --checkpoint scene.srtc --resume
   srt view scene.sce                               look at it in a browser while editing it
+  srt show bvh scene.sce -o bvh.html               the tree over the scene, level by level
   srt part scene.sce --part 3/7 -o part-3.srtp     one of seven machines' parts
   srt assemble part-*.srtp -o picture.png          the same picture
+  srt build scene.sce -o scene.srtb                built once, for all parts
   srt compare scenes/hall.sce                      how fast each structure is, as a report
   srt scene.sce frames/####.png --frames 0..60     the frames of a scene that moves
   srt animate scene.sce --frames 0..60             what it costs to follow it
@@ -69,12 +77,16 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Look at a scene in a browser: move the camera, exchange structures, edit the scene
     View(ViewArguments),
+    /// Draw a structure over a scene, level by level, as a page with a slider
+    Show(ShowArguments),
     /// Render a part of a picture, for another machine to put together
     Part(PartArguments),
     /// Put the parts of a picture together
     Assemble(AssembleArguments),
     /// Put a scene and all files that it names into one file, for another machine
     Pack(PackArguments),
+    /// Build the structure over a scene, and put both into one file that need not be built again
+    Build(BuildArguments),
     /// Validate scenes without rendering, and list what is in them
     Check(CheckArguments),
     /// Compare acceleration structures, prove their results equal, and write a report
@@ -116,6 +128,53 @@ pub(crate) struct PackArguments {
     /// The file to write; `-` is standard output
     #[arg(long, short, value_name = "FILE")]
     pub(crate) output: PathBuf,
+
+    /// Treat unknown commands of the scene as warnings
+    #[arg(long)]
+    pub(crate) lenient: bool,
+
+    /// Print nothing but errors
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+}
+
+/// `srt build`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+A built scene is read wherever a scene is, by the same version of srt, and starts at once: its meshes are not\n\
+parsed, and its structure is not built again. docs/built-file.md describes it.\n\n\
+Exit codes: 0 done, 2 trouble.\n\n\
+Examples:\n  \
+srt build scenes/terrain.sce -o terrain.srtb\n  \
+srt part terrain.srtb --part 3/7 -o part-3.srtp")]
+pub(crate) struct BuildArguments {
+    /// The scene file (sce1.0), or a pack; `-` is standard input
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+
+    /// The file to write; `-` is standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: PathBuf,
+
+    /// The acceleration structure
+    #[arg(long, value_name = "NAME", default_value = USUAL_STRUCTURE,
+        value_parser = Structures::default().parser())]
+    pub(crate) accel: Structure,
+
+    /// The quality of the build: slower builds make better trees
+    #[arg(long, value_name = "QUALITY", default_value = Quality::default().name(),
+        value_parser = named(&Quality::ALL, Quality::name))]
+    pub(crate) build: Quality,
+
+    /// Threads that build, at most four a processor [default: one a processor]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = values::whole::<u16>(1, 1024))]
+    pub(crate) threads: Option<u16>,
+
+    /// The frame of a scene that moves [default: 0]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = values::whole::<u32>(0, u64::from(LAST_FRAME)))]
+    pub(crate) frame: Option<u32>,
 
     /// Treat unknown commands of the scene as warnings
     #[arg(long)]

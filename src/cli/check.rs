@@ -6,7 +6,7 @@ use std::path::Path;
 use super::args::CheckArguments;
 use super::exit::{CommandResult, Exit, Failure};
 use super::inventory;
-use super::load::{LoadError, Loaded, load, print_load_error};
+use super::load::{Described, LoadError, load, print_load_error};
 use super::output::print;
 use super::source;
 use super::terminal::print_message;
@@ -27,8 +27,8 @@ pub(super) fn run(arguments: &CheckArguments) -> CommandResult {
 }
 
 fn check(path: &Path, lenient: bool) -> CommandResult {
-    let error = match load(path, lenient, 0) {
-        Ok(loaded) => return show(path, &loaded),
+    let error = match load(path, lenient) {
+        Ok(described) => return show(path, &described),
         Err(error) => error,
     };
     print_load_error(&error);
@@ -38,11 +38,12 @@ fn check(path: &Path, lenient: bool) -> CommandResult {
     })
 }
 
-fn show(path: &Path, loaded: &Loaded) -> CommandResult {
+fn show(path: &Path, described: &Described) -> CommandResult {
+    let Described { loaded, keyed_frames, description } = described;
     if !loaded.warnings.is_empty() {
         print_message(&loaded.warnings);
     }
-    let text = inventory::describe(&loaded.description, &loaded.scene, loaded.keyed_frames);
+    let text = inventory::describe(description, &loaded.scene, *keyed_frames);
     print(&format!("{}: valid\n{text}", source::name(path)))?;
     Ok(Exit::Fine)
 }

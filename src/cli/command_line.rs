@@ -20,6 +20,8 @@ pub(crate) fn command(structures: &Structures) -> Command {
             view.mut_arg("accel", one).mut_arg("crop", |crop| crop.hide(true))
         })
         .mut_subcommand("part", |part| part.mut_arg("accel", one))
+        .mut_subcommand("show", |show| show.mut_arg("accel", one))
+        .mut_subcommand("build", |build| build.mut_arg("accel", one))
         .mut_subcommand("compare", |compare| compare.mut_arg("accel", list))
         .mut_subcommand("conformance", |check| check.mut_arg("accel", list))
 }
@@ -91,10 +93,15 @@ mod tests {
     #[test]
     fn what_is_added_can_be_named_wherever_the_librarys_can() {
         let structures = Structures::with(&[MINE]).unwrap();
-        let named = |typed: &[&str]| read(&structures, typed).unwrap().render.work.accel.name;
-        assert_eq!(named(&["srt", "a.sce", "a.png", "--accel", "mine"]), "mine");
-        assert_eq!(named(&["srt", "a.sce", "a.png", "--accel", "mine:leaf=4"]), "mine:leaf=4");
-        assert_eq!(named(&["srt", "a.sce", "a.png"]), "bvh8");
+        let named = |typed: &[&str]| {
+            read(&structures, typed).unwrap().render.work.accel.map(|accel| accel.name)
+        };
+        assert_eq!(named(&["srt", "a.sce", "a.png", "--accel", "mine"]), Some("mine"));
+        assert_eq!(
+            named(&["srt", "a.sce", "a.png", "--accel", "mine:leaf=4"]),
+            Some("mine:leaf=4")
+        );
+        assert_eq!(named(&["srt", "a.sce", "a.png"]), None);
         assert_eq!(compared("none,mine").unwrap(), ["none", "mine"]);
         let help = command(&structures).render_long_help().to_string();
         assert!(help.contains("mine") && help.contains("one of your own"), "{help}");

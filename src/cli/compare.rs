@@ -9,7 +9,7 @@ use super::compare_progress::CompareProgress;
 use super::exit::{CommandResult, Exit, Failure};
 use super::fingerprint;
 use super::interrupt::Interrupt;
-use super::load::{load, print_load_error};
+use super::load::{Described, load, print_load_error};
 use super::output::print;
 use super::ray_files::{self, RayFolder};
 use super::result_folder::{ResultFolder, encoded, pictures_in, read_record};
@@ -111,7 +111,8 @@ fn differences(comparison: &Comparison) -> Vec<String> {
     for sweep in &comparison.sweeps {
         for entry in sweep.dropped.iter().filter(|entry| entry.failed) {
             let Dropped { structure, triangles, reason, .. } = entry;
-            lines.push(format!("{} of {triangles} triangles, {structure}: {reason}", sweep.mesh));
+            let size = format!("{triangles} {}", sweep.unit);
+            lines.push(format!("{} of {size}, {structure}: {reason}", sweep.mesh));
         }
     }
     lines
@@ -121,8 +122,8 @@ fn differences(comparison: &Comparison) -> Vec<String> {
 fn load_all(arguments: &CompareArguments) -> Result<Option<Vec<SceneInput>>, Failure> {
     let mut scenes: Vec<SceneInput> = Vec::new();
     for path in &arguments.scenes {
-        let loaded = match load(path, arguments.lenient, 0) {
-            Ok(loaded) => loaded,
+        let Described { loaded, description, .. } = match load(path, arguments.lenient) {
+            Ok(described) => described,
             Err(error) => {
                 print_load_error(&error);
                 return Ok(None);
@@ -131,7 +132,7 @@ fn load_all(arguments: &CompareArguments) -> Result<Option<Vec<SceneInput>>, Fai
         if !arguments.quiet && !loaded.warnings.is_empty() {
             print_message(&loaded.warnings);
         }
-        let hash = fingerprint::of_scene(path, &loaded.description).map_err(|error| {
+        let hash = fingerprint::of_scene(path, &description).map_err(|error| {
             Failure::new(format_args!("cannot read `{}` again: {error}", path.display()))
         })?;
         let name = new_name(&stem(path), &scenes);

@@ -11,7 +11,7 @@ use super::source::is_stdin;
 use super::structures::{StructureList, Structures};
 use super::values::{Size, percent, seconds, sizes, whole};
 use crate::accel::Quality;
-use crate::assets::generate::MeshKind;
+use crate::compare::Family;
 use crate::description::Options;
 use crate::record::RayClass;
 use crate::scene::Structure;
@@ -29,7 +29,7 @@ srt compare scenes/hall.sce\n  \
 srt compare scenes/*.sce --accel bvh,cwbvh --budget 60 --out results/trees\n  \
 srt compare scenes/hall.sce --accel bvh8,bvh8:builder=ploc,leaf=4\n  \
 srt compare scenes/torus-knot.sce --accel bvh,kdtree,octree,grid,grid:density=8,grid2,balls\n  \
-srt compare --sweep 1k..10M --mesh hall --budget 300\n  \
+srt compare --sweep 1k..10M --family hall --budget 300\n  \
 srt compare scenes/soft-shadows.sce --sampling-study\n  \
 srt compare scenes/hall.sce --save-rays rays\n  \
 srt compare scenes/hall.sce --rays rays/hall.srtrays\n  \
@@ -105,14 +105,14 @@ pub(crate) struct CompareArguments {
         value_parser = whole::<u64>(0, u64::MAX))]
     pub(crate) seed: u64,
 
-    /// Also measure growth: sizes of a generated mesh in triangles, such as 1k..10M
-    #[arg(long, value_name = "A..B", value_parser = sizes, requires = "mesh")]
+    /// Also measure growth: sizes of a family of scenes, such as 1k..10M
+    #[arg(long, value_name = "A..B", value_parser = sizes, requires = "family")]
     pub(crate) sweep: Option<(u32, u32)>,
 
-    /// The mesh that grows
-    #[arg(long, value_name = "KIND", requires = "sweep",
-        value_parser = described(&MeshKind::ALL, MeshKind::name, MeshKind::description))]
-    pub(crate) mesh: Option<MeshKind>,
+    /// What grows: a mesh, by its triangles, or many objects, by their number
+    #[arg(long, value_name = "KIND", requires = "sweep", visible_alias = "mesh",
+        value_parser = described(&Family::ALL, Family::name, Family::description))]
+    pub(crate) family: Option<Family>,
 
     /// Also study sampling: what random numbers and shuffling cost, and how much noise each method
     /// of sampling area lights leaves for equal samples and for equal time

@@ -42,8 +42,8 @@ pub(super) fn plan(
         seed: arguments.seed,
         ..PictureOptions::default()
     };
-    plan.sweep = arguments.sweep.zip(arguments.mesh).map(|((first, last), mesh)| SweepPlan {
-        mesh,
+    plan.sweep = arguments.sweep.zip(arguments.family).map(|((first, last), family)| SweepPlan {
+        family,
         sizes: SweepPlan::sizes_between(first, last),
     });
     plan.sampling_study = arguments.sampling_study;
@@ -107,8 +107,8 @@ mod tests {
     fn a_budget_without_time_for_intervals_is_noted() {
         let noted = |sweep: bool, seconds| {
             let mut plan = Plan::of_scenes(Vec::new());
-            let mesh = crate::assets::generate::MeshKind::ALL[0];
-            plan.sweep = sweep.then(|| SweepPlan { mesh, sizes: vec![1] });
+            let family = crate::compare::Family::ALL[0];
+            plan.sweep = sweep.then(|| SweepPlan { family, sizes: vec![1] });
             plan.sampling_study = true;
             plan.budget = Some(Duration::from_secs(seconds));
             too_short(&plan)

@@ -3,17 +3,20 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::source::{self, Source, SourceError};
+use super::source::{self, Built, Rest, Source, SourceError};
 use super::terminal::{print_error, print_message};
 use super::{diagnose, terminal};
 use crate::assets::{
-    LoadedMeshes, MeshData, MeshFiles, MeshLoader, available_memory, check_meshes,
+    AssetError, LoadedMeshes, MeshData, MeshFiles, MeshLoader, Problem, available_memory,
+    check_meshes,
 };
+use crate::built_file::BuiltFileError;
 use crate::description::{MeshReference, SceneDescription, Shape};
 use crate::scene::Scene;
 use crate::scene_file::{
     Diagnostic, Invalid, ParseOptions, Parsed, parse_to_meshes, render_diagnostics, summarize,
 };
+use crate::sealed::Hash;
 
 /// A scene that can be traced.
 pub(crate) struct Loaded {
@@ -21,14 +24,37 @@ pub(crate) struct Loaded {
     pub(crate) text: String,
     /// The frame that it was read for.
     pub(crate) frame: u32,
-    /// The first and the last frame of all keys, if the scene moves.
-    pub(crate) keyed_frames: Option<[f64; 2]>,
-    /// The scene as written.
-    pub(crate) description: SceneDescription,
     /// The scene as traced.
     pub(crate) scene: Scene,
     /// Warnings, as text without a last line end; empty if there are none.
     pub(crate) warnings: String,
+    /// The structure that was built over it, if it is from a built scene.
+    pub(crate) built: Option<SavedStructure>,
+}
+
+/// The same, with the scene as written.
+pub(crate) struct Described {
+    /// What can be traced.
+    pub(crate) loaded: Loaded,
+    /// The first and the last frame of all keys, if the scene moves.
+    pub(crate) keyed_frames: Option<[f64; 2]>,
+    /// The scene as written.
+    pub(crate) description: SceneDescription,
+}
+
+/// A structure that was built over a scene and can be read.
+#[derive(Clone, Debug)]
+pub(crate) struct SavedStructure {
+    /// The file, as typed.
+    pub(crate) path: PathBuf,
+    /// The structure, with its options.
+    pub(crate) structure: String,
+    /// The quality of its build.
+    pub(crate) quality: String,
+    /// The hash that files of parts have of the scene in this frame, if it is written down.
+    pub(crate) hash: Option<Hash>,
+    /// Where it is.
+    pub(crate) bytes: Rest,
 }
 
 /// Why there is no scene.
@@ -78,22 +104,74 @@ impl SceneFile {
         &self.source
     }
 
-    /// The scene in a frame with its meshes, loaded on the threads of the current rayon pool.
+    /// The scene in a frame, on the threads of the current rayon pool. One that was built is read as it was compiled;
+    /// what it was warned of is not said again.
     pub(crate) fn frame(&mut self, frame: u32) -> Result<Loaded, LoadError> {
+        match self.source.built() {
+            None => Ok(self.described(frame)?.loaded),
+            Some(built) => self.compiled(built, frame),
+        }
+    }
+
+    fn compiled(&self, built: &Built, frame: u32) -> Result<Loaded, LoadError> {
+        self.expect_frame(frame)?;
+        let Built { scene: built, rest } = built;
+        let mut bytes = rest.clone();
+        let size = bytes.size();
+        let scene = Scene::read(built.meshes.clone(), &mut bytes, size).map_err(|source| {
+            let source = BuiltFileError::part("the compiled scene", source);
+            SourceError::Built { path: self.path.clone(), source }
+        })?;
+        Ok(Loaded {
+            text: self.source.text().into_owned(),
+            frame,
+            scene,
+            warnings: String::new(),
+            built: Some(SavedStructure {
+                path: self.path.clone(),
+                structure: built.structure.clone(),
+                quality: built.quality.clone(),
+                hash: (built.frame == frame).then_some(built.hash),
+                bytes,
+            }),
+        })
+    }
+
+    /// A built scene that moves is that of one frame.
+    fn expect_frame(&self, asked: u32) -> Result<(), SourceError> {
+        match self.source.built() {
+            Some(Built { scene, .. }) if scene.moves && scene.frame != asked => {
+                let (path, built) = (self.path.clone(), scene.frame);
+                Err(SourceError::Frame { path, built, asked })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The scene in a frame with its meshes, parsed and compiled on the threads of the current rayon pool.
+    pub(crate) fn described(&mut self, frame: u32) -> Result<Described, LoadError> {
+        self.expect_frame(frame)?;
         let written = self.source.text();
         let memory = available_memory();
-        let options = ParseOptions { lenient: self.lenient, memory, frame };
+        let built = self.source.built();
+        let lenient = self.lenient || built.is_some_and(|built| built.scene.lenient);
+        let options = ParseOptions { lenient, memory, frame };
         let say =
             |diagnostics: &[Diagnostic]| text(diagnostics, &written, &self.source, self.colors);
-        match compile(&written, self.source.files(), &options, &mut self.meshes) {
-            Ok((parsed, scene)) => Ok(Loaded {
-                warnings: say(&parsed.warnings),
-                text: written.into_owned(),
-                frame,
-                keyed_frames: parsed.keyed_frames,
-                description: parsed.description,
-                scene,
-            }),
+        let meshes = match built {
+            Some(built) => Meshes::Built(&built.scene.meshes),
+            None => Meshes::Files(self.source.files(), &mut self.meshes),
+        };
+        match compile(&written, meshes, &options) {
+            Ok((parsed, scene)) => {
+                let warnings = say(&parsed.warnings);
+                let text = written.into_owned();
+                Ok(Described {
+                    loaded: Loaded { text, frame, scene, warnings, built: None },
+                    keyed_frames: parsed.keyed_frames,
+                    description: parsed.description,
+                })
+            }
             Err(Uncompiled { diagnostics, meshes }) => Err(LoadError::Invalid {
                 path: self.path.clone(),
                 meshes,
@@ -102,11 +180,22 @@ impl SceneFile {
             }),
         }
     }
+
+    /// The scene in the frame that it was built for, or in the first.
+    pub(crate) fn usual_frame(&mut self) -> Result<Described, LoadError> {
+        self.described(self.built_frame().unwrap_or(0))
+    }
+
+    /// The frame that it was built for, if it was.
+    pub(crate) fn built_frame(&self) -> Option<u32> {
+        self.source.built().map(|built| built.scene.frame)
+    }
 }
 
-/// Loads a scene with its meshes as it is in a frame, on the threads of the current rayon pool.
-pub(crate) fn load(path: &Path, lenient: bool, frame: u32) -> Result<Loaded, LoadError> {
-    SceneFile::read(path, lenient)?.frame(frame)
+/// Loads a scene with its meshes, on the threads of the current rayon pool: as it is in its first frame, or in that for
+/// which it was built.
+pub(crate) fn load(path: &Path, lenient: bool) -> Result<Described, LoadError> {
+    SceneFile::read(path, lenient)?.usual_frame()
 }
 
 /// Prints why there is no scene: all that is wrong with it, then how much that is.
@@ -123,21 +212,54 @@ struct Uncompiled {
     meshes: Vec<MeshReference>,
 }
 
+/// Where the meshes of a scene are.
+enum Meshes<'a> {
+    Files(MeshFiles<'a>, &'a mut MeshLoader),
+    /// In memory, in the order in which the scene names them.
+    Built(&'a [Arc<MeshData>]),
+}
+
+impl Meshes<'_> {
+    fn check(&self, references: &[MeshReference]) -> Vec<AssetError> {
+        match self {
+            Self::Files(files, _) => check_meshes(references, *files),
+            Self::Built(_) => Vec::new(),
+        }
+    }
+
+    fn load(self, references: &[MeshReference]) -> LoadedMeshes {
+        match self {
+            Self::Files(files, loader) => loader.load_each(references, files),
+            Self::Built(meshes) => {
+                let built = |place: usize| meshes.get(place).cloned();
+                let missing = (meshes.len()..references.len()).map(|reference| AssetError {
+                    reference,
+                    problem: Problem::Missing { path: references[reference].name.clone().into() },
+                    place: None,
+                    help: Some("the built scene is of another text: build it again".to_owned()),
+                });
+                let meshes = (0..references.len()).map(built).collect();
+                LoadedMeshes { meshes, errors: missing.collect() }
+            }
+        }
+    }
+}
+
 /// The scene as written, with all warnings, and as traced; or all that is wrong with it.
 fn compile(
     source: &str,
-    files: MeshFiles<'_>,
+    meshes: Meshes<'_>,
     options: &ParseOptions,
-    loader: &mut MeshLoader,
 ) -> Result<(Parsed, Scene), Uncompiled> {
     let parsed = parse_to_meshes(source, options).map_err(|invalid| {
-        let Invalid { mut diagnostics, meshes } = invalid;
-        let errors = check_meshes(&meshes, files);
+        let Invalid { mut diagnostics, meshes: references } = invalid;
+        let errors = meshes.check(&references);
+        let meshes = references;
         diagnostics.extend(errors.iter().map(|error| diagnose::mesh(error, &meshes)));
         Uncompiled { diagnostics: in_order(diagnostics), meshes }
     })?;
     let Parsed { mut description, keyed_frames, warnings: mut diagnostics } = parsed;
-    let LoadedMeshes { meshes, errors } = loader.load_each(&description.meshes, files);
+    let LoadedMeshes { meshes, errors } = meshes.load(&description.meshes);
     if !errors.is_empty() {
         let errors = errors.iter().map(|error| diagnose::mesh(error, &description.meshes));
         diagnostics.extend(errors);

@@ -87,9 +87,11 @@ mod tests {
         let expected = [
             "srt.1",
             "srt-view.1",
+            "srt-show.1",
             "srt-part.1",
             "srt-assemble.1",
             "srt-pack.1",
+            "srt-build.1",
             "srt-check.1",
             "srt-compare.1",
             "srt-animate.1",

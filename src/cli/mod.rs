@@ -13,9 +13,10 @@
 //! | `command_line.rs` | the definition with the structures of this program; what was typed |
 //! | `work.rs`, `options.rs`, `compare_plan.rs` | what was validated, for rendering and for comparing |
 //! | `refine.rs`, `checkpoint.rs`, `origin.rs` | a rendering in passes, saved and gone on with; what it is of |
+//! | `show.rs`, `show_args.rs` | a structure as a page of pictures |
 //! | `view.rs`, `view_args.rs`, `watch.rs` | the live page, and the files that it follows |
 //! | `frames.rs`, `sequence.rs` | the frames of a scene that moves, and their pictures |
-//! | `part.rs`, `assemble.rs`, `pack.rs` | the subcommands for many machines |
+//! | `part.rs`, `assemble.rs`, `pack.rs`, `build.rs` | the subcommands for many machines |
 //! | `render.rs`, `compare.rs`, `animate.rs`, `conformance.rs`, `report.rs`, `rays.rs` | the subcommands |
 //! | `check.rs`, `diff.rs`, `mesh.rs`, `accels.rs` | smaller ones |
 //! | `completions.rs`, `man.rs` | the subcommands that print the definition in other forms |
@@ -23,7 +24,7 @@
 //! | `ray_files.rs` | the files of rays of a comparison |
 //! | `result_folder.rs`, `fingerprint.rs` | the files of a comparison; the hash of a scene's files |
 //! | `terminal.rs`, `interrupt.rs`, `progress.rs`, `compare_progress.rs` | the terminal |
-//! | `load.rs`, `source.rs` | a scene from its file, or from a pack |
+//! | `load.rs`, `source.rs` | a scene from its file, from a pack, or built |
 //! | `diagnose.rs`, `inventory.rs` | what is wrong with a scene; what is in it |
 //! | `picture.rs` | what was rendered → the file of the picture |
 //! | `figures.rs`, `summary.rs` | the figures of a rendering, and their text |
@@ -34,6 +35,7 @@ mod animate;
 mod animate_args;
 mod args;
 mod assemble;
+mod build;
 mod check;
 mod checkpoint;
 mod choice;
@@ -74,6 +76,8 @@ mod render_args;
 mod report;
 mod result_folder;
 mod sequence;
+mod show;
+mod show_args;
 mod source;
 mod structures;
 mod summary;
@@ -126,9 +130,11 @@ fn dispatch(structures: &Structures) -> CommandResult {
     match arguments.command {
         None => render::run(arguments.render, &interrupt),
         Some(Command::View(view)) => view::run(view, structures),
+        Some(Command::Show(show)) => show::run(show),
         Some(Command::Part(part)) => part::run(part, &interrupt),
         Some(Command::Assemble(assemble)) => assemble::run(&assemble),
         Some(Command::Pack(pack)) => pack::run(&pack),
+        Some(Command::Build(build)) => build::run(&build),
         Some(Command::Check(check)) => check::run(&check),
         Some(Command::Animate(animate)) => animate::run(&animate, &interrupt),
         Some(Command::Compare(compare)) => compare::run(&compare, &interrupt),

@@ -4,6 +4,7 @@ use sha2::{Digest, Sha256};
 
 use super::load::Loaded;
 use crate::assets::MeshData;
+use crate::built_file::Program;
 use crate::part_file::{Hash, Origin};
 use crate::render::Settings;
 
@@ -13,13 +14,22 @@ const AT_ONCE: usize = 4096;
 /// The origin of a picture of a scene with these settings.
 pub(crate) fn origin(loaded: &Loaded, settings: &Settings) -> Origin {
     let settings = Settings { count: false, ..settings.clone() };
-    let version = env!("CARGO_PKG_VERSION").to_owned();
-    Origin { scene: scene_hash(loaded), sources: sources(), version, settings }
+    let Program { version, sources } = program();
+    Origin { scene: scene_hash(loaded), sources, version, settings }
+}
+
+/// This program.
+pub(crate) fn program() -> Program {
+    Program { version: env!("CARGO_PKG_VERSION").to_owned(), sources: sources() }
 }
 
 /// SHA-256 of the scene's text, of the frame unless it is 0, and of the meshes as they are traced, generated ones too.
 /// Each list begins with its length, 64 bits; all numbers are little-endian.
-fn scene_hash(loaded: &Loaded) -> Hash {
+/// A built scene has it written down.
+pub(super) fn scene_hash(loaded: &Loaded) -> Hash {
+    if let Some(hash) = loaded.built.as_ref().and_then(|built| built.hash) {
+        return hash;
+    }
     let mut hash = Sha256::new();
     hash.update((loaded.text.len() as u64).to_le_bytes());
     hash.update(&loaded.text);

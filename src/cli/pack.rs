@@ -39,18 +39,24 @@ pub(super) fn run(arguments: &PackArguments) -> CommandResult {
             return Ok(Exit::Trouble);
         }
     };
-    let loaded = match file.frame(0) {
-        Ok(loaded) => loaded,
+    if file.source().built().is_some() {
+        let path = path.display();
+        return Err(Failure::new(format_args!(
+            "`{path}` is a built scene, and has no mesh files: pack the scene that it was built from"
+        )));
+    }
+    let described = match file.described(0) {
+        Ok(described) => described,
         Err(error) => {
             print_load_error(&error);
             return Ok(Exit::Trouble);
         }
     };
-    if !quiet && !loaded.warnings.is_empty() {
-        print_message(&loaded.warnings);
+    if !quiet && !described.loaded.warnings.is_empty() {
+        print_message(&described.loaded.warnings);
     }
     let mut names: Vec<&str> = Vec::new();
-    for name in fingerprint::files(&loaded.description) {
+    for name in fingerprint::files(&described.description) {
         if !names.contains(&name) {
             names.push(name);
         }

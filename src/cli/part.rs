@@ -25,7 +25,7 @@ use crate::sealed::hexadecimal;
 pub(super) fn run(arguments: PartArguments, interrupt: &Interrupt) -> CommandResult {
     let PartArguments { scene, part: share, by: division, output, work, lenient, quiet } =
         arguments;
-    let work = Work::new(scene, work, lenient, quiet)?;
+    let mut work = Work::new(scene, work, lenient, quiet)?;
     work.refuse_what_differs("`srt part`")?;
     let output = Output::prepare(&output)?;
     if output.is_stdout() && stdout().is_terminal() {
@@ -36,6 +36,7 @@ pub(super) fn run(arguments: PartArguments, interrupt: &Interrupt) -> CommandRes
     work.refuse_to_replace_the_scene(&output)?;
     let pool = work.pool()?;
     let Some(loaded) = work.load(&pool) else { return Ok(Exit::Trouble) };
+    work.adopt(&loaded)?;
     let settings = work.settings(&loaded.scene, false)?;
     let start = Instant::now();
     let (file, rays) =
@@ -71,7 +72,7 @@ fn rendered(
             "the part is too large: {shortage}; take more parts, or divide by tiles"
         ))
     })?;
-    let world = work.build(&loaded.scene)?;
+    let world = work.build(&loaded.scene, loaded.built.as_ref())?;
     let renderer = Renderer::new(&loaded.scene, &*world, settings);
     let pixels = pieces.iter().map(|piece| piece.area.pixels()).sum();
     let progress = Progress::start(pixels, work.quiet, interrupt.clone());

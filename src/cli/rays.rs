@@ -106,8 +106,8 @@ fn chosen<'a>(arguments: &ExportArguments, file: &'a RayFile) -> Result<&'a Clas
 fn import(arguments: &ImportArguments) -> CommandResult {
     let output = Output::prepare(&arguments.output)?;
     let rays = foreign_rays(arguments)?;
-    let loaded = match load(&arguments.scene, false, 0) {
-        Ok(loaded) => loaded,
+    let loaded = match load(&arguments.scene, false) {
+        Ok(described) => described.loaded,
         Err(error) => {
             print_load_error(&error);
             return Ok(Exit::Trouble);

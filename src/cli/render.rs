@@ -9,7 +9,7 @@ use super::args::Arguments;
 use super::exit::{CommandResult, Exit, Failure};
 use super::figures::Figures;
 use super::interrupt::Interrupt;
-use super::load::Loaded;
+use super::load::{Loaded, SavedStructure};
 use super::near::nearest;
 use super::options::{RenderOptions, Stats};
 use super::output::{OutputError, print};
@@ -30,24 +30,30 @@ pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> CommandR
     if let Some(frames) = arguments.frames {
         return sequence::run(arguments, frames, interrupt);
     }
-    let options = RenderOptions::new(arguments)?;
+    let mut options = RenderOptions::new(arguments)?;
     let pool = options.work.pool()?;
     let Some(loaded) = options.work.load(&pool) else { return Ok(Exit::Trouble) };
-    let (scene, settings, begun) = pool.install(|| begin(&options, loaded))?;
-    let traced = || trace(&scene, &settings, &options, begun.as_ref(), interrupt);
+    options.work.adopt(&loaded)?;
+    let (begun, settings) = pool.install(|| begin(&options, loaded))?;
+    let traced = || trace(&begun, &settings, &options, interrupt);
     let (build, outcome) = pool.install(traced)?;
     conclude(&settings, &options, &build, outcome, interrupt)
 }
 
-/// What is needed of a scene that was loaded; the rest of it is dropped.
-pub(super) fn begin(
-    options: &RenderOptions,
-    loaded: Loaded,
-) -> Result<(Scene, Settings, Option<Begun>), Failure> {
+/// What is needed of a scene that was loaded, as it is rendered.
+pub(super) struct Begin {
+    scene: Scene,
+    built: Option<SavedStructure>,
+    /// The state of a refinement, if it is refined.
+    refined: Option<Begun>,
+}
+
+/// Keeps what is needed of a scene that was loaded; the rest of it is dropped.
+pub(super) fn begin(options: &RenderOptions, loaded: Loaded) -> Result<(Begin, Settings), Failure> {
     let settings = options.settings(&loaded.scene)?;
     let begin = |refinement: &Refinement| refinement.begin(&loaded, &settings, options.work.quiet);
-    let begun = options.refinement.as_ref().map(begin).transpose()?;
-    Ok((loaded.scene, settings, begun))
+    let refined = options.refinement.as_ref().map(begin).transpose()?;
+    Ok((Begin { scene: loaded.scene, built: loaded.built, refined }, settings))
 }
 
 /// What to say of a scene that is a single word and no file: it was probably meant to be a subcommand.
@@ -73,15 +79,15 @@ fn no_such_name(scene: Option<&Path>) -> Option<Failure> {
 
 /// Builds and renders, on the threads of the current pool.
 pub(super) fn trace(
-    scene: &Scene,
+    begin: &Begin,
     settings: &Settings,
     options: &RenderOptions,
-    begun: Option<&Begun>,
     interrupt: &Interrupt,
 ) -> Result<(BuildReport, Outcome), Failure> {
-    let world = options.work.build(scene)?;
+    let Begin { scene, built, refined } = begin;
+    let world = options.work.build(scene, built.as_ref())?;
     let quiet = options.work.quiet;
-    if let (Some(refinement), Some(begun)) = (&options.refinement, begun) {
+    if let (Some(refinement), Some(begun)) = (&options.refinement, refined) {
         let renderer = Renderer::new(scene, &*world, settings);
         let watched = (quiet, interrupt);
         let outcome = refinement.run(begun, &renderer, settings, &options.picture, watched)?;

@@ -71,9 +71,11 @@ impl Sequence {
                 print_message(&loaded.warnings);
             }
             warned.clone_from(&loaded.warnings);
+            options.work.adopt(&loaded)?;
+            let options = &*options;
             let traced = || {
-                let (scene, settings, _) = begin(options, loaded)?;
-                let (build, outcome) = trace(&scene, &settings, options, None, interrupt)?;
+                let (begun, settings) = begin(options, loaded)?;
+                let (build, outcome) = trace(&begun, &settings, options, interrupt)?;
                 Ok::<_, Failure>((settings, build, outcome))
             };
             let (settings, build, outcome) = pool.install(traced)?;

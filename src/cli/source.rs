@@ -1,10 +1,13 @@
-//! A scene from its file, from standard input, or from a pack with all that it names.
+//! A scene from its file, from standard input, from a pack with all that it names, or built.
 
 use std::borrow::Cow;
-use std::io;
+use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use crate::assets::{MeshFiles, read_file, read_stream};
+use super::origin::program;
+use crate::assets::{FileReader, MeshFiles, expect_memory, read_file, read_stream};
+use crate::built_file::{BuiltFileError, BuiltScene};
 use crate::pack::{Located, Pack, PackError};
 
 /// Why a scene's text cannot be read.
@@ -26,6 +29,27 @@ pub(crate) enum SourceError {
         /// Why.
         source: PackError,
     },
+    /// A built scene that is none, or no longer one.
+    #[error("cannot read the built scene {}: {source}", quoted(path))]
+    Built {
+        /// As typed.
+        path: PathBuf,
+        /// Why.
+        source: BuiltFileError,
+    },
+    /// A built scene that moves, in another frame than that for which it was built.
+    #[error(
+        "{} was built for frame {built}, not for frame {asked}: build it for that frame too",
+        quoted(path)
+    )]
+    Frame {
+        /// As typed.
+        path: PathBuf,
+        /// For which it was built.
+        built: u32,
+        /// Which is wanted.
+        asked: u32,
+    },
 }
 
 /// A scene and where the files are that it names.
@@ -38,10 +62,57 @@ enum From {
     /// The bytes of a scene that stands by itself.
     Scene(Vec<u8>),
     Pack(Pack),
+    Built(Built),
 }
 
-/// Reads a scene, or a pack, from its file, or from standard input if the path is `-`.
+/// A built scene, and where its structure follows.
+pub(crate) struct Built {
+    /// All but the structure.
+    pub(crate) scene: BuiltScene,
+    /// What is behind it.
+    pub(crate) rest: Rest,
+}
+
+/// Bytes that are read on from a place.
+#[derive(Clone, Debug)]
+pub(crate) enum Rest {
+    File(FileReader),
+    Bytes(Cursor<Arc<[u8]>>),
+}
+
+impl Rest {
+    /// How many bytes there are, at most.
+    pub(crate) fn size(&self) -> u64 {
+        match self {
+            Self::File(file) => file.size(),
+            Self::Bytes(bytes) => bytes.get_ref().len() as u64,
+        }
+    }
+}
+
+impl Read for Rest {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        match self {
+            Self::File(file) => file.read(bytes),
+            Self::Bytes(own) => own.read(bytes),
+        }
+    }
+
+    fn read_exact(&mut self, bytes: &mut [u8]) -> io::Result<()> {
+        match self {
+            Self::File(file) => file.read_exact(bytes),
+            Self::Bytes(own) => own.read_exact(bytes),
+        }
+    }
+}
+
+/// Reads a scene, a pack or a built scene from its file, or from standard input if the path is `-`.
 pub(crate) fn read(path: &Path) -> Result<Source, SourceError> {
+    if !is_stdin(path)
+        && let Some(file) = begun_as_built(path)
+    {
+        return built(path, Rest::File(file));
+    }
     let read = if is_stdin(path) { read_stream(io::stdin().lock()) } else { read_file(path) };
     let path = path.to_owned();
     match read {
@@ -49,8 +120,33 @@ pub(crate) fn read(path: &Path) -> Result<Source, SourceError> {
             Ok(pack) => Ok(Source { path, from: From::Pack(pack) }),
             Err(source) => Err(SourceError::Pack { path, source }),
         },
+        Ok(bytes) if BuiltScene::begins(&bytes) => {
+            built(&path, Rest::Bytes(Cursor::new(bytes.into())))
+        }
         Ok(bytes) => Ok(Source { path, from: From::Scene(bytes) }),
         Err(source) => Err(SourceError::Io { path, source }),
+    }
+}
+
+/// A regular file at its beginning, if that is the one of a built scene.
+fn begun_as_built(path: &Path) -> Option<FileReader> {
+    let file = FileReader::open(path).ok()??;
+    let mut begin = [0; 8];
+    file.clone().read_exact(&mut begin).ok()?;
+    BuiltScene::begins(&begin).then_some(file)
+}
+
+fn built(path: &Path, mut rest: Rest) -> Result<Source, SourceError> {
+    let path = path.to_owned();
+    let size = rest.size();
+    // The meshes take about what they take in the file; what is behind them is not read yet.
+    if let Err(shortage) = expect_memory(size) {
+        let source = io::Error::new(io::ErrorKind::OutOfMemory, shortage);
+        return Err(SourceError::Io { path, source });
+    }
+    match BuiltScene::read(&program(), &mut rest, size) {
+        Ok(scene) => Ok(Source { path, from: From::Built(Built { scene, rest }) }),
+        Err(source) => Err(SourceError::Built { path, source }),
     }
 }
 
@@ -60,7 +156,13 @@ impl Source {
         match &self.from {
             From::Scene(bytes) => bytes,
             From::Pack(pack) => pack.scene().1,
+            From::Built(built) => &built.scene.text,
         }
+    }
+
+    /// What was built, if it was.
+    pub(crate) fn built(&self) -> Option<&Built> {
+        if let From::Built(built) = &self.from { Some(built) } else { None }
     }
 
     /// The scene's text. Remarks in it may have any encoding: what is no UTF-8 is replaced.
@@ -71,7 +173,7 @@ impl Source {
     /// The name of the scene in messages about its text.
     pub(crate) fn name(&self) -> String {
         match &self.from {
-            From::Scene(_) => name(&self.path),
+            From::Scene(_) | From::Built(_) => name(&self.path),
             From::Pack(pack) => name(&self.path.join(pack.scene().0)),
         }
     }
@@ -79,7 +181,7 @@ impl Source {
     /// Where the meshes are that it names.
     pub(crate) fn files(&self) -> MeshFiles<'_> {
         match &self.from {
-            From::Scene(_) => MeshFiles::Folder(folder_of(&self.path)),
+            From::Scene(_) | From::Built(_) => MeshFiles::Folder(folder_of(&self.path)),
             From::Pack(pack) => MeshFiles::Pack(pack, &self.path),
         }
     }
@@ -95,6 +197,7 @@ impl Source {
     pub(crate) fn file(&self, name: &str) -> io::Result<Cow<'_, [u8]>> {
         match &self.from {
             From::Scene(_) => read_file(&folder_of(&self.path).join(name)).map(Cow::Owned),
+            From::Built(_) => Err(io::ErrorKind::NotFound.into()),
             From::Pack(pack) => {
                 pack.file(name).map(Cow::Borrowed).ok_or_else(|| io::ErrorKind::NotFound.into())
             }

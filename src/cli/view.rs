@@ -7,7 +7,7 @@ use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
 use super::exit::{CommandResult, Exit, Failure};
-use super::load::{LoadError, Loaded, SceneFile};
+use super::load::{Described, LoadError, SceneFile};
 use super::output::print;
 use super::source;
 use super::source::folder_of;
@@ -45,9 +45,9 @@ pub(super) fn run(arguments: ViewArguments, structures: &Structures) -> CommandR
     let mut files = WatchedFiles::default();
     let start = SystemTime::now();
     files.set([work.scene.clone()], start);
-    let Some(loaded) = work.load(&pool) else { return Ok(Exit::Trouble) };
-    files.set(files_of(&work, &loaded.description.meshes), start);
-    let show = show(&work, loaded)?;
+    let Some(described) = work.describe(&pool) else { return Ok(Exit::Trouble) };
+    files.set(files_of(&work, &described.description.meshes), start);
+    let show = show(&work, described)?;
     let site = Site::listen(listen, port)
         .map_err(|error| Failure::new(format_args!("{error}; --port 0 takes a free port")))?;
     let studio = Studio::new(show, choice(&work, structures), work.build.clone(), pool);
@@ -71,7 +71,8 @@ pub(super) fn run(arguments: ViewArguments, structures: &Structures) -> CommandR
 }
 
 /// What a scene is looked at as.
-fn show(work: &Work, loaded: Loaded) -> Result<Show, Failure> {
+fn show(work: &Work, described: Described) -> Result<Show, Failure> {
+    let Described { loaded, description, .. } = described;
     let settings = work.settings(&loaded.scene, false)?;
     let pixels = settings.region().pixels();
     if pixels > MOST_PIXELS {
@@ -83,7 +84,7 @@ fn show(work: &Work, loaded: Loaded) -> Result<Show, Failure> {
     Ok(Show {
         name: source::name(&work.scene),
         scene: loaded.scene,
-        camera: loaded.description.camera,
+        camera: description.camera,
         settings,
         warnings: loaded.warnings,
     })
@@ -121,11 +122,11 @@ fn follow(studio: &Studio, work: &Work, mut files: WatchedFiles) {
 /// Loads the scene and shows it, or says what is wrong with it. The meshes that it names, if it can be read.
 fn reload(studio: &Studio, work: &Work) -> Option<Vec<MeshReference>> {
     match studio
-        .on_threads(|| SceneFile::read(&work.scene, work.lenient)?.without_colors().frame(0))
+        .on_threads(|| SceneFile::read(&work.scene, work.lenient)?.without_colors().usual_frame())
     {
-        Ok(loaded) => {
-            let meshes = loaded.description.meshes.clone();
-            match show(work, loaded) {
+        Ok(described) => {
+            let meshes = described.description.meshes.clone();
+            match show(work, described) {
                 Ok(show) => studio.replace(show),
                 Err(failure) => studio.explain(&format!("error: {failure}")),
             }

@@ -1,21 +1,24 @@
 //! What is rendered, and by what, once it was validated: as far as possible before the scene is read. Nothing here is
 //! optional that a rendering needs.
 
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::exit::Failure;
-use super::load::{Loaded, load, print_load_error};
+use super::load::{Described, LoadError, Loaded, SavedStructure, SceneFile, print_load_error};
 use super::output::Output;
+use super::source;
 use super::terminal::print_message;
 use super::values::Size;
-use super::work_args::WorkArguments;
+use super::work_args::{USUAL_STRUCTURE, WorkArguments};
 use crate::accel::{BuildConfig, Quality};
+use crate::built_file::BuiltFileError;
 use crate::film::Crop;
 use crate::render::{Sampling, Settings, View};
-use crate::scene::{Scene, Structure, TracedWorld};
+use crate::scene::{ReadError, STRUCTURES, Scene, Structure, TracedWorld, structure_named};
 
 /// A scene, how it is rendered, and by what; what is absent is taken from the scene.
 #[derive(Debug)]
@@ -28,6 +31,8 @@ pub(crate) struct Work {
     pub(crate) structure: Structure,
     /// How it is built.
     pub(crate) build: BuildConfig,
+    /// Which of these were typed; a built scene has its own.
+    pub(crate) typed: Typed,
     /// Threads that build and render.
     pub(crate) threads: usize,
     /// What replaces the options of the scene.
@@ -46,6 +51,14 @@ pub(crate) struct Work {
     pub(crate) lenient: bool,
     /// Whether progress, warnings and the last line are left out.
     pub(crate) quiet: bool,
+}
+
+/// Which options were typed that a built scene has too.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Typed {
+    pub(crate) frame: bool,
+    pub(crate) structure: bool,
+    pub(crate) quality: bool,
 }
 
 /// Options that a scene has too.
@@ -73,9 +86,14 @@ impl Work {
             (None, None) => {}
         }
         Ok(Self {
+            typed: Typed {
+                frame: typed.frame.is_some(),
+                structure: typed.accel.is_some(),
+                quality: typed.build.is_some(),
+            },
             frame: typed.frame.unwrap_or(0),
-            structure: typed.accel,
-            build: build_config(typed.build),
+            structure: typed.accel.unwrap_or(usual_structure()),
+            build: build_config(typed.build.unwrap_or_default()),
             threads: threads(typed.threads)?,
             overrides: Overrides {
                 size: typed.size,
@@ -110,29 +128,110 @@ impl Work {
             view: self.view,
             count: count && !self.structure.peer,
         };
-        if self.view == View::Heatmap && self.structure.peer {
-            let name = self.structure.name;
-            return Err(Failure::new(format_args!("`{name}` counts no tests: it has no heatmap")));
+        let name = self.structure.name;
+        match self.view {
+            View::Heatmap if self.structure.peer => {
+                let what = format_args!("`{name}` counts no tests: it has no heatmap");
+                return Err(Failure::new(what));
+            }
+            View::Cells if self.structure.peer => {
+                let what =
+                    format_args!("`{name}` is another program's: it does not show its cells");
+                return Err(Failure::new(what));
+            }
+            _ => {}
         }
         check_region(settings.width, settings.height, settings.crop)?;
         check_samples(&settings)?;
         Ok(settings)
     }
 
-    /// Builds the structure, on the threads of the current pool.
-    pub(crate) fn build(&self, scene: &Scene) -> Result<Box<dyn TracedWorld>, Failure> {
+    /// Takes structure, quality and frame from a built scene, where it is one and none were typed.
+    ///
+    /// # Errors
+    /// If others were typed, or if this program has no such structure.
+    pub(crate) fn adopt(&mut self, loaded: &Loaded) -> Result<(), Failure> {
+        self.frame = loaded.frame;
+        let Some(built) = &loaded.built else { return Ok(()) };
+        let SavedStructure { structure, quality, .. } = built;
+        let file = source::quoted(&built.path);
+        if self.structure.name != structure {
+            if self.typed.structure {
+                return Err(Failure::new(format_args!(
+                    "{file} was built with `{structure}`, not with `{}`: leave --accel out, or build it again with it",
+                    self.structure.name
+                )));
+            }
+            self.structure = structure_of(structure).ok_or_else(|| {
+                Failure::new(format_args!(
+                    "{file} was built with `{}`, which this program does not have",
+                    structure.escape_debug()
+                ))
+            })?;
+        }
+        let found = Quality::ALL.into_iter().find(|one| one.name() == quality);
+        if self.typed.quality && found != Some(self.build.quality) {
+            return Err(Failure::new(format_args!(
+                "{file} was built with --build {}, not with {}: leave --build out, or build it again with it",
+                quality.escape_debug(),
+                self.build.quality.name()
+            )));
+        }
+        self.build = build_config(found.unwrap_or_default());
+        Ok(())
+    }
+
+    /// Builds the structure, or reads the one that was built already, on the threads of the current pool.
+    pub(crate) fn build(
+        &self,
+        scene: &Scene,
+        built: Option<&SavedStructure>,
+    ) -> Result<Box<dyn TracedWorld>, Failure> {
         let name = self.structure.name;
-        self.structure
-            .try_build(scene, &self.build)
-            .map_err(|error| Failure::new(format_args!("`{name}`: {error}")))
+        let world = match built {
+            Some(built) => self.read(scene, built)?,
+            None => self
+                .structure
+                .try_build(scene, &self.build)
+                .map_err(|error| Failure::new(format_args!("`{name}`: {error}")))?,
+        };
+        if self.view == View::Cells && world.regions().is_empty() {
+            return Err(Failure::new(format_args!(
+                "`{name}` has no cells over this scene: it tests every primitive; choose another structure"
+            )));
+        }
+        Ok(world)
+    }
+
+    fn read(&self, scene: &Scene, built: &SavedStructure) -> Result<Box<dyn TracedWorld>, Failure> {
+        let mut bytes = built.bytes.clone();
+        let size = bytes.size();
+        let of_part =
+            |ReadError { mesh, source }| BuiltFileError::part(structure_over(mesh), source);
+        let read = self.structure.load(scene, &mut bytes, size).map_err(of_part);
+        let read = read.and_then(|world| match bytes.read(&mut [0]) {
+            Ok(0) => Ok(world),
+            Ok(_) => Err(BuiltFileError::Longer),
+            Err(error) => Err(BuiltFileError::part("the end", error.into())),
+        });
+        read.map_err(|error| {
+            let file = source::quoted(&built.path);
+            Failure::new(format_args!("cannot read the built scene {file}: {error}"))
+        })
     }
 
     /// What would differ from machine to machine cannot be put together or gone on with: `option` says what asks.
     pub(crate) fn refuse_what_differs(&self, option: &str) -> Result<(), Failure> {
-        if self.view == View::Heatmap {
+        if self.view.shows_structure() {
+            let view = self.view.name();
+            let what = if self.view == View::Heatmap {
+                "what a structure tested"
+            } else {
+                "the structure"
+            };
             return Err(Failure::new(format_args!(
-                "{option} is for what is the same whatever the structure, and --view heatmap shows what a \
-                 structure tested: leave one of them out"
+                "{option} is for what is the same whatever the structure, and --view {view} shows {what}: \
+                 leave one of them out"
             )));
         }
         if self.structure.peer {
@@ -147,26 +246,35 @@ impl Work {
 
     /// The threads that build and render.
     pub(crate) fn pool(&self) -> Result<ThreadPool, Failure> {
-        let threads = self.threads;
-        ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .map_err(|error| Failure::new(format_args!("cannot start {threads} threads: {error}")))
+        pool_of(self.threads)
     }
 
     /// Loads the scene and prints its warnings; or prints why there is none.
     pub(crate) fn load(&self, pool: &ThreadPool) -> Option<Loaded> {
-        match pool.install(|| load(&self.scene, self.lenient, self.frame)) {
-            Ok(loaded) => {
-                if !self.quiet && !loaded.warnings.is_empty() {
-                    print_message(&loaded.warnings);
-                }
-                Some(loaded)
-            }
-            Err(error) => {
-                print_load_error(&error);
-                None
-            }
+        let load = || self.file().and_then(|(mut file, frame)| file.frame(frame));
+        let loaded = pool.install(load).map_err(|error| print_load_error(&error)).ok()?;
+        self.warn(&loaded);
+        Some(loaded)
+    }
+
+    /// The same, with the scene as written.
+    pub(crate) fn describe(&self, pool: &ThreadPool) -> Option<Described> {
+        let describe = || self.file().and_then(|(mut file, frame)| file.described(frame));
+        let described = pool.install(describe).map_err(|error| print_load_error(&error)).ok()?;
+        self.warn(&described.loaded);
+        Some(described)
+    }
+
+    /// The scene's file, and the frame that is wanted of it.
+    fn file(&self) -> Result<(SceneFile, u32), LoadError> {
+        let file = SceneFile::read(&self.scene, self.lenient)?;
+        let own = file.built_frame().filter(|_| !self.typed.frame);
+        Ok((file, own.unwrap_or(self.frame)))
+    }
+
+    fn warn(&self, loaded: &Loaded) {
+        if !self.quiet && !loaded.warnings.is_empty() {
+            print_message(&loaded.warnings);
         }
     }
 
@@ -182,6 +290,14 @@ impl Work {
     }
 }
 
+/// So many threads.
+pub(super) fn pool_of(threads: usize) -> Result<ThreadPool, Failure> {
+    ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|error| Failure::new(format_args!("cannot start {threads} threads: {error}")))
+}
+
 /// Whether an output would replace a file.
 pub(crate) fn same_file(path: &Path, output: &Output) -> bool {
     let real = |path: &Path| std::fs::canonicalize(path).ok();
@@ -190,7 +306,7 @@ pub(crate) fn same_file(path: &Path, output: &Output) -> bool {
 
 /// A crop must lie within the picture, whose size may be known only from the scene, and what is
 /// rendered must fit into memory.
-fn check_region(width: u32, height: u32, crop: Option<Crop>) -> Result<(), Failure> {
+pub(crate) fn check_region(width: u32, height: u32, crop: Option<Crop>) -> Result<(), Failure> {
     let Some(crop) = crop else {
         return check_pixels(Crop { x0: 0, y0: 0, x1: width, y1: height });
     };
@@ -219,7 +335,7 @@ fn check_pixels(region: Crop) -> Result<(), Failure> {
 const MOST_THREADS_A_PROCESSOR: usize = 4;
 
 /// As many threads as were typed, or one a processor.
-fn threads(typed: Option<u16>) -> Result<usize, Failure> {
+pub(crate) fn threads(typed: Option<u16>) -> Result<usize, Failure> {
     let processors = available_parallelism().map_or(1, std::num::NonZero::get);
     let (threads, most) =
         (typed.map_or(processors, usize::from), MOST_THREADS_A_PROCESSOR * processors);
@@ -245,7 +361,27 @@ fn check_samples(settings: &Settings) -> Result<(), Failure> {
     )))
 }
 
-fn build_config(quality: Quality) -> BuildConfig {
+/// The structure that is traced where none is named.
+pub(super) fn usual_structure() -> Structure {
+    *structure_named(USUAL_STRUCTURE).unwrap_or(&STRUCTURES[0])
+}
+
+/// The structure of a name with its options.
+fn structure_of(text: &str) -> Option<Structure> {
+    match text.split_once(':') {
+        None => structure_named(text).copied(),
+        Some((name, options)) => structure_named(name)?.with_options(options).ok(),
+    }
+}
+
+fn structure_over(mesh: Option<usize>) -> String {
+    mesh.map_or_else(
+        || "the structure over the objects".to_owned(),
+        |mesh| format!("the structure over mesh {}", mesh + 1),
+    )
+}
+
+pub(crate) fn build_config(quality: Quality) -> BuildConfig {
     BuildConfig { quality, ..BuildConfig::default() }
 }
 

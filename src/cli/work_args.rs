@@ -12,25 +12,28 @@ use crate::film::Crop;
 use crate::render::{Sampling, Settings, View};
 use crate::scene::Structure;
 
+/// The structure that is traced where none is named.
+pub(super) const USUAL_STRUCTURE: &str = "bvh8";
+
 /// What is rendered beside the scene, and by what.
 #[derive(Debug, Args)]
 pub(crate) struct WorkArguments {
-    /// The acceleration structure
-    #[arg(long, value_name = "NAME", default_value = "bvh8", value_parser = Structures::default().parser(),
+    /// The acceleration structure [default: bvh8, or that of a built scene]
+    #[arg(long, value_name = "NAME", value_parser = Structures::default().parser(),
         help_heading = "Structure")]
-    pub(crate) accel: Structure,
+    pub(crate) accel: Option<Structure>,
 
-    /// The quality of the build: slower builds make better trees
-    #[arg(long, value_name = "QUALITY", default_value = Quality::default().name(),
+    /// The quality of the build: slower builds make better trees [default: medium]
+    #[arg(long, value_name = "QUALITY",
         value_parser = named(&Quality::ALL, Quality::name), help_heading = "Structure")]
-    pub(crate) build: Quality,
+    pub(crate) build: Option<Quality>,
 
     /// Threads that build and render, at most four a processor [default: one a processor]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = whole::<u16>(1, 1024), help_heading = "Structure")]
     pub(crate) threads: Option<u16>,
 
-    /// The frame of a scene that moves [default: 0]
+    /// The frame of a scene that moves [default: 0, or that of a built scene]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = whole::<u32>(0, u64::from(LAST_FRAME)), help_heading = "Picture")]
     pub(crate) frame: Option<u32>,

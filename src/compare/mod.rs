@@ -21,7 +21,7 @@
 //! | `rounds.rs`, `clock.rs`, `hardware.rs` | how something is timed and counted |
 //! | `trial.rs`, `block_sample.rs`, `class_rounds.rs`, `passes.rs`, `replay.rs` | which rays are timed, and how often |
 //! | `render_picture.rs`, `picture_size.rs`, `picture_file.rs` | pictures |
-//! | `sweep.rs` | growth with the number of triangles |
+//! | `sweep.rs`, `family.rs` | growth with the size of a scene |
 //! | `sampling_study/` | what random numbers and shuffling cost, and how much noise they leave |
 //! | `machine.rs`, `commit.rs`, `sources.rs` | on which machine, and from which sources |
 //! | `measure.rs` | the parts of it that benchmarks take |
@@ -72,6 +72,7 @@ mod commit;
 mod conformance;
 mod context;
 mod extra_rays;
+mod family;
 mod hardware;
 mod machine;
 pub mod measure;
@@ -100,6 +101,7 @@ mod sweep;
 mod trace;
 mod trial;
 
+pub use family::Family;
 pub use machine::{disturbances, machine};
 pub use motion::{MotionError, MotionPlan, measure_motion};
 pub use observer::{Observer, Silent};

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use super::family::Family;
 use crate::accel::BuildConfig;
-use crate::assets::generate::MeshKind;
 use crate::ray_file::RayFile;
 use crate::record::{Comparison, RayClass, RoundRule};
 use crate::render::{Sampling, Settings};
@@ -80,12 +80,12 @@ impl PictureOptions {
     }
 }
 
-/// A family of generated meshes of growing size.
+/// A family of scenes of growing size.
 #[derive(Clone, Debug)]
 pub struct SweepPlan {
     /// The family.
-    pub mesh: MeshKind,
-    /// Sizes in triangles, growing.
+    pub family: Family,
+    /// Sizes in the family's unit, growing.
     pub sizes: Vec<u32>,
 }
 

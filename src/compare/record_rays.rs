@@ -7,7 +7,7 @@
 use std::sync::Mutex;
 use std::sync::PoisonError;
 
-use crate::accel::{BuildConfig, Bvh, QueryKind, Tracer};
+use crate::accel::{BuildConfig, Bvh, QueryKind};
 use crate::math::Ray;
 use crate::record::RayClass;
 use crate::render::{self, RenderStats, Settings, render};
@@ -77,7 +77,7 @@ pub(super) fn recording_tracer(context: &SceneContext<'_>) -> Box<dyn TracedWorl
 /// `traced` rays.
 pub(super) fn record(
     context: &SceneContext<'_>,
-    tracer: &dyn Tracer,
+    tracer: &dyn TracedWorld,
     picture: &Settings,
     traced: u64,
 ) -> Recording {
@@ -99,7 +99,7 @@ pub(super) fn record(
 /// The rays that a renderer sends for a picture, on the threads of the current pool: at most so many of each class.
 pub(super) fn rays_of_picture(
     scene: &Scene,
-    tracer: &dyn Tracer,
+    tracer: &dyn TracedWorld,
     picture: &Settings,
     limit: usize,
 ) -> Vec<RaySet> {
@@ -111,7 +111,7 @@ pub(super) fn rays_of_picture(
 /// Renders, and records the rays on the way.
 fn render_recorded<'a>(
     context: &SceneContext<'a>,
-    tracer: &dyn Tracer,
+    tracer: &dyn TracedWorld,
     settings: &Settings,
 ) -> (Recorder<'a>, RenderStats) {
     let recorder = Recorder::new(context.plan.rays_per_class, context.cancelled);

@@ -35,7 +35,7 @@ impl<'a> RecordSoFar<'a> {
             plan.scenes.iter().map(|input| before.scene(input).cloned()).collect();
         let done = &mut comparison.run.done;
         done.extend(scenes.iter().flatten().map(|scene| scene.name.clone()));
-        if let Some(sweep) = plan.sweep.as_ref().and_then(|own| before.sweep(own.mesh.name())) {
+        if let Some(sweep) = plan.sweep.as_ref().and_then(|own| before.sweep(own.family.name())) {
             done.push(sweep_name(&sweep.mesh));
             comparison.sweeps.push(sweep.clone());
         }

@@ -1,6 +1,5 @@
 //! Renderings of a structure that end when the comparison is cancelled.
 
-use crate::accel::Tracer;
 use crate::image_io::Picture;
 use crate::render::{self, Image, Rendering, Settings, render};
 use crate::scene::{Scene, TracedWorld};
@@ -12,7 +11,7 @@ use super::context::SceneContext;
 pub(super) fn render_until(
     cancelled: &(dyn Fn() -> bool + Sync),
     scene: &Scene,
-    tracer: &dyn Tracer,
+    tracer: &dyn TracedWorld,
     settings: &Settings,
 ) -> Rendering {
     render(scene, tracer, settings, &Stopper(cancelled))

@@ -113,7 +113,7 @@ pub fn run(
         record.add_scene(&input.name, result);
     }
     if let Some(growth) = &plan.sweep
-        && before.sweep(growth.mesh.name()).is_none()
+        && before.sweep(growth.family.name()).is_none()
     {
         let result = parts.next(|budget, progress| {
             sweep(growth, structures, &checked, plan, &pools, budget, progress)
@@ -150,7 +150,7 @@ impl<'a> Parts<'a> {
     fn new(plan: &'a Plan, observer: &'a dyn Observer, before: &Before<'_>) -> Self {
         let others = usize::from(plan.sweep.is_some()) + usize::from(plan.sampling_study);
         let scenes = plan.scenes.iter().filter(|input| before.scene(input).is_some()).count();
-        let sweep = plan.sweep.as_ref().and_then(|own| before.sweep(own.mesh.name()));
+        let sweep = plan.sweep.as_ref().and_then(|own| before.sweep(own.family.name()));
         let study = before.study().filter(|_| plan.sampling_study);
         let done = scenes + usize::from(sweep.is_some()) + usize::from(study.is_some());
         let spent = Duration::try_from_secs_f64(before.seconds()).unwrap_or_default();

@@ -1,21 +1,12 @@
-//! How cost grows with the number of triangles: a family of generated meshes, built and traced.
+//! How cost grows with the size of a scene: a family of generated meshes or of scattered objects, built and traced.
 //!
 //! A structure is dropped at the size at which not even a few rays of a class fit into its share of
 //! the time, and the record notes that: linear ones are dropped first. Slopes are computed from the
 //! record.
 
-use std::sync::Arc;
-
-use glam::{DAffine3, DVec3};
-
-use crate::assets::generate::{MeshKind, generate};
-use crate::description::{
-    Camera, Light, Material, MeshReference, Normals, Object, Options, SceneDescription, Shape,
-};
-use crate::math::Color;
 use crate::record::{Conformance, Dropped, Status, Sweep, SweepPoint};
 use crate::render::Settings;
-use crate::scene::{Scene, SceneError, Structure};
+use crate::scene::Structure;
 
 use super::budget::Budget;
 use super::candidate::Candidate;
@@ -28,9 +19,6 @@ use super::proof;
 use super::record_rays::{RaySet, record, recording_tracer};
 use super::replay::replay_all;
 use super::trial::{RayTimes, ray_times, time_of_all};
-
-/// Side of the picture whose rays are recorded.
-const SIDE: u32 = 200;
 
 /// Rays that the recording of a size may trace, whatever the budget: figures are of the rays, so these must not depend
 /// on it.
@@ -46,24 +34,29 @@ pub(super) fn sweep(
     budget: Budget,
     progress: &PartProgress<'_>,
 ) -> Sweep {
-    let mut record = Sweep { mesh: sweep.mesh.name().to_owned(), ..Sweep::default() };
+    let family = sweep.family;
+    let mut record = Sweep {
+        mesh: family.name().to_owned(),
+        unit: family.unit().to_owned(),
+        ..Sweep::default()
+    };
     let mut left: Vec<&Structure> = structures.iter().collect();
     for (done, &size) in sweep.sizes.iter().enumerate() {
         if progress.cancelled() || left.is_empty() {
             break;
         }
-        progress.step(&format!("{} of {size} triangles", sweep.mesh), budget);
-        let Ok(scene) = pools.all.install(|| scene_of(sweep.mesh, size, plan.picture.seed)) else {
+        progress.step(&format!("{family} of {size} {}", family.unit()), budget);
+        let Ok(scene) = pools.all.install(|| family.scene(size, plan.picture.seed)) else {
             continue;
         };
         let cancelled = || progress.cancelled();
         let context = SceneContext { scene: &scene, plan, pools, cancelled: &cancelled };
         let share = budget.share(share_of_first(&sweep.sizes[done..]));
         let candidates = measure(&context, &left, checked, share, &mut record.rays_checked);
-        let triangles = scene.triangle_count();
+        let size = family.size_of(&scene);
         left.retain(|structure| {
             let own = candidates.iter().find(|candidate| candidate.name() == structure.name);
-            own.is_none_or(|own| note(&mut record, own, triangles))
+            own.is_none_or(|own| note(&mut record, own, size))
         });
     }
     record
@@ -136,12 +129,12 @@ fn rays(context: &SceneContext<'_>) -> Vec<RaySet> {
 }
 
 /// Adds what a structure did at a size; whether it takes part in the next.
-fn note(record: &mut Sweep, candidate: &Candidate<'_>, triangles: u64) -> bool {
+fn note(record: &mut Sweep, candidate: &Candidate<'_>, size: u64) -> bool {
     let report = candidate.build_report().unwrap_or_default();
     let name = candidate.name();
     for class in &candidate.record.classes {
         record.points.push(SweepPoint {
-            triangles,
+            triangles: size,
             structure: name.to_owned(),
             class: class.class,
             rays: class.rays,
@@ -163,56 +156,6 @@ fn note(record: &mut Sweep, candidate: &Candidate<'_>, triangles: u64) -> bool {
         Status::Stopped => "the comparison was stopped".to_owned(),
     };
     let failed = matches!(candidate.record.status, Status::Failed { .. }) && !candidate.is_peer();
-    record.dropped.push(Dropped { structure: name.to_owned(), triangles, reason, failed });
+    record.dropped.push(Dropped { structure: name.to_owned(), triangles: size, reason, failed });
     false
-}
-
-/// A mesh of the family, its materials half a mirror, seen from where all of it is before the eye.
-fn scene_of(kind: MeshKind, triangles: u32, seed: u64) -> Result<Scene, Vec<SceneError>> {
-    // The hall is seen from inside, lit below its ceiling.
-    let (eye, target, light) = match kind {
-        MeshKind::Hall => {
-            (DVec3::new(-0.95, -0.05, 0.35), DVec3::new(0.5, 0.0, 0.35), DVec3::Z * 0.7)
-        }
-        _ => (DVec3::new(0.3, -3.2, 1.4), DVec3::ZERO, DVec3::new(-3.0, -2.0, 4.0)),
-    };
-    let description = SceneDescription {
-        camera: Camera {
-            eye,
-            direction: target - eye,
-            up: DVec3::Z,
-            distance: 1.0,
-            fovy_degrees: if kind == MeshKind::Hall { 70.0 } else { 38.0 },
-            width: SIDE,
-            height: SIDE,
-        },
-        options: Options { max_recursion: 1, aa: 0, background: Color::ZERO },
-        materials: vec![Material { specular: Color::splat(0.3), ..Material::default() }],
-        meshes: vec![MeshReference::new(kind.name())],
-        objects: vec![Object::new(
-            Shape::Mesh { mesh: 0, normals: Normals::Flat },
-            DAffine3::IDENTITY,
-        )],
-        lights: vec![Light::Point { position: light, color: Color::ONE }],
-    };
-    Scene::new(&description, vec![Arc::new(generate(kind, triangles, seed))])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::accel::BuildConfig;
-    use crate::scene::structure_named;
-
-    #[test]
-    fn every_family_is_in_view() {
-        for kind in MeshKind::ALL {
-            let scene = scene_of(kind, 2_000, 1).unwrap();
-            let world = structure_named("bvh").unwrap().build(&scene, &BuildConfig::default());
-            let settings = Settings { width: 40, height: 40, ..Settings::of_scene(&scene) };
-            let stats = crate::render::render(&scene, &*world, &settings, &crate::render::Silent);
-            let view = stats.stats.class(crate::render::RayClass::View);
-            assert!(10 * view.hits > view.rays, "{kind}: {view:?}");
-        }
-    }
 }

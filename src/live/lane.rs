@@ -261,7 +261,8 @@ fn trace(
 ) -> RenderStats {
     let start = Instant::now();
     let scene = &sight.staged.show.scene;
-    let renderer = Renderer::seen_by(&sight.camera, scene, &*world.traced, settings);
+    let cells = (settings.view == View::Cells).then(|| world.cells(scene));
+    let renderer = Renderer::seen_by(&sight.camera, scene, &*world.traced, settings, cells);
     let mut stats = pool.install(|| {
         renderer.render(pieces, Kept::Sums, observer, &|part| {
             let taken = film.take(part);

@@ -180,12 +180,12 @@ impl Worker {
             Command::Structures(names) => {
                 let find = |name: &String| find(&self.studio.structures, name);
                 let structures = names.iter().map(find).collect::<Result<Vec<_>, _>>()?;
-                check_heatmap(self.view, &structures)?;
+                check_view(self.view, &structures)?;
                 return self.choose(&staged, structures);
             }
             Command::View(name) => {
                 let view = view_named(&name).unwrap_or_default();
-                check_heatmap(view, &self.wanted)?;
+                check_view(view, &self.wanted)?;
                 self.view = view;
                 return Ok(());
             }
@@ -343,11 +343,13 @@ fn find(structures: &[Structure], text: &str) -> Result<Structure, String> {
     plain.with_options(options).map_err(|error| format!("`{name}`: {error}"))
 }
 
-/// A heatmap is of tests that are counted.
-fn check_heatmap(view: View, structures: &[Structure]) -> Result<(), String> {
-    match structures.iter().find(|one| view == View::Heatmap && one.peer) {
-        Some(peer) => Err(format!("`{}` counts no tests: it has no heatmap", peer.name)),
-        None => Ok(()),
+/// A heatmap is of tests that are counted, and cells are shown by those that have them.
+fn check_view(view: View, structures: &[Structure]) -> Result<(), String> {
+    let peer = structures.iter().find(|one| one.peer);
+    match (peer.map(|peer| peer.name), view) {
+        (Some(name), View::Heatmap) => Err(format!("`{name}` counts no tests: it has no heatmap")),
+        (Some(name), View::Cells) => Err(format!("`{name}` does not show its cells")),
+        _ => Ok(()),
     }
 }
 

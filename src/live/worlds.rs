@@ -1,8 +1,9 @@
 //! The structures that were built over a scene, kept as long as they are used or were used lately.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::accel::BuildConfig;
+use crate::render::CellView;
 use crate::scene::{BuildReport, Scene, Structure, TracedWorld};
 
 /// So many are kept: going back to one of them takes no time.
@@ -14,6 +15,16 @@ pub(super) struct BuiltWorld {
     pub(super) traced: Box<dyn TracedWorld>,
     /// What building it took and gave.
     pub(super) report: BuildReport,
+    /// Its cells, once they were looked at.
+    cells: OnceLock<Arc<CellView>>,
+}
+
+impl BuiltWorld {
+    /// Its cells over its scene.
+    pub(super) fn cells(&self, scene: &Scene) -> Arc<CellView> {
+        let make = || Arc::new(CellView::new(scene, &*self.traced));
+        Arc::clone(self.cells.get_or_init(make))
+    }
 }
 
 /// The worlds of a scene by the names of their structures, the one used last at the end.
@@ -40,7 +51,7 @@ impl Worlds {
                     .try_build(scene, config)
                     .map_err(|error| format!("`{}`: {error}", structure.name))?;
                 let report = traced.build_report();
-                Arc::new(BuiltWorld { traced, report })
+                Arc::new(BuiltWorld { traced, report, cells: OnceLock::new() })
             }
         };
         kept.push((structure.name, Arc::clone(&world)));

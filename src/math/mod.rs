@@ -5,6 +5,8 @@
 
 mod aabb;
 mod box_ray;
+#[cfg(feature = "program")]
+mod count;
 mod hash;
 mod hit;
 mod lanes;
@@ -15,6 +17,8 @@ mod transform;
 
 pub use aabb::Aabb;
 pub use box_ray::BoxRay;
+#[cfg(feature = "program")]
+pub use count::read_count;
 pub use hash::Random;
 #[cfg(feature = "program")]
 pub(crate) use hash::{hash_u64, unit_pair};

@@ -116,7 +116,9 @@ impl RayToObject {
         }
     }
 
-    fn is_finite(&self) -> bool {
+    /// Whether nothing of it is infinite or NaN.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
         self.axes.iter().all(|axis| axis.is_finite()) && self.origin.is_finite()
     }
 

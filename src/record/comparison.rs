@@ -24,7 +24,7 @@ pub struct Comparison {
     pub conformance: Vec<Conformance>,
     /// The scenes, in the order in which they were named.
     pub scenes: Vec<SceneRecord>,
-    /// Cost against the number of triangles, one for each family of meshes.
+    /// Cost against size, one for each family of scenes.
     pub sweeps: Vec<Sweep>,
     /// The study of sampling, if it was part of the run.
     pub sampling: Option<SamplingChapter>,

@@ -1,14 +1,17 @@
-//! How cost grows with the number of triangles.
+//! How cost grows with the size of a scene.
 
 use serde::{Deserialize, Serialize};
 
 use super::{BlockSample, RayClass, Round};
 
-/// A family of generated meshes, built and traced at growing sizes.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+/// A family of scenes, built and traced at growing sizes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sweep {
     /// The family (`hall`, `terrain`, …).
     pub mesh: String,
+    /// What its sizes count: `triangles` of a mesh, or `objects`; older records have meshes alone.
+    #[serde(default = "triangles")]
+    pub unit: String,
     /// The measurements, by growing size.
     pub points: Vec<SweepPoint>,
     /// The structures that stopped before the largest size.
@@ -19,10 +22,22 @@ pub struct Sweep {
     pub rays_checked: u64,
 }
 
+impl Default for Sweep {
+    /// Of a mesh without a name, with nothing measured.
+    fn default() -> Self {
+        let (points, dropped) = (Vec::new(), Vec::new());
+        Self { mesh: String::new(), unit: triangles(), points, dropped, rays_checked: 0 }
+    }
+}
+
+fn triangles() -> String {
+    "triangles".to_owned()
+}
+
 /// One size, one structure, one class of rays.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SweepPoint {
-    /// Triangles in the mesh.
+    /// The size: triangles of the mesh, or objects.
     pub triangles: u64,
     /// The structure.
     pub structure: String,
@@ -49,7 +64,7 @@ pub struct SweepPoint {
 pub struct Dropped {
     /// The structure.
     pub structure: String,
-    /// The size at which it stopped, in triangles.
+    /// The size at which it stopped.
     pub triangles: u64,
     /// Why, in words.
     pub reason: String,

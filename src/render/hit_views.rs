@@ -1,8 +1,9 @@
-//! What each pixel hit, instead of its colour: one ray through its centre.
+//! What each pixel hit, or which cell it sees, instead of its colour: one ray through its centre.
 
 use crate::accel::Answers;
 use crate::math::{Color, Hit, Random, Ray};
 
+use super::cells::{is_before, surface_color};
 use super::frame::Frame;
 use super::measured_tracer::MeasuredTracer;
 use super::view_rays::Pixel;
@@ -20,6 +21,32 @@ pub(super) fn render_hits(
     tracer.lap(Stage::MakingRays);
     tracer.trace(RayClass::View, &rays, Answers::ClosestHit(&mut hits));
     let seen = rays.iter().zip(&hits).map(|(ray, hit)| value_of(frame, view, ray, hit)).collect();
+    tracer.lap(Stage::Shading);
+    seen
+}
+
+/// Renders the cells that some pixels see, in their order.
+pub(super) fn render_cells(
+    frame: &Frame<'_>,
+    tracer: &mut MeasuredTracer<'_>,
+    pixels: &[Pixel],
+) -> Vec<Color> {
+    let rays: Vec<Ray> = pixels.iter().map(|&p| frame.view_rays.through_center(p)).collect();
+    let mut hits = vec![Hit::MISS; rays.len()];
+    tracer.lap(Stage::MakingRays);
+    tracer.trace(RayClass::View, &rays, Answers::ClosestHit(&mut hits));
+    let cells = frame.cells.as_deref();
+    let seen_through = |ray: &Ray| cells.and_then(|cells| cells.seen(ray));
+    let color = |(&Pixel { x, y }, (ray, hit)): (&Pixel, (&Ray, &Hit))| match seen_through(ray) {
+        Some(cell) if !is_before(hit, &cell) => {
+            // The rim of a cell is where the pixel to the right, or that below, sees another one.
+            let beside = [Pixel { x: x + 1, y }, Pixel { x, y: y + 1 }];
+            cell.color(&beside.map(|p| seen_through(&frame.view_rays.through_center(p))))
+        }
+        _ if hit.is_hit() => surface_color(frame.scene.surface(ray, hit).normal, ray),
+        _ => Color::ZERO,
+    };
+    let seen = pixels.iter().zip(rays.iter().zip(&hits)).map(color).collect();
     tracer.lap(Stage::Shading);
     seen
 }

@@ -10,7 +10,7 @@
 //! | `rendering.rs`, `image.rs` | a whole picture, from tiles to an image |
 //! | `renderer.rs` | pieces of a picture to threads, and to whoever wants them |
 //! | `tile_renderer.rs`, `tiles.rs` | a thread's part: pixels to batches |
-//! | `hit_views.rs` | what a pixel hit, instead of its colour |
+//! | `hit_views.rs`, `cells/` | what a pixel hit, instead of its colour; the cells of a structure |
 //! | `batch.rs` | a batch of view samples, wave by wave |
 //! | `view_rays.rs`, `secondary_rays.rs`, `path.rs`, `wave.rs`, `optics.rs` | rays and their paths |
 //! | `shading.rs`, `shading_material.rs`, `exponent.rs` | hits to colours |
@@ -22,6 +22,7 @@
 //! Knows no file format and no terminal. Progress goes to an [`Observer`].
 
 mod batch;
+mod cells;
 mod color_map;
 mod direct_light;
 mod exponent;
@@ -50,6 +51,7 @@ mod view;
 mod view_rays;
 mod wave;
 
+pub use cells::CellView;
 pub use color_map::{Scale, heat_picture};
 pub use image::Image;
 pub use light_samples::{LightSamples, SampleAssignment};

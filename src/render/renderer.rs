@@ -1,16 +1,16 @@
 //! From pieces of a picture to its parts: threads render them, and send each part as soon as it is there.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 
-use crate::accel::Tracer;
 use crate::film::{Part, Piece};
-use crate::scene::{Camera, Scene};
+use crate::scene::{Camera, Scene, TracedWorld};
 
 use super::frame::Frame;
 use super::tile_renderer::TileRenderer;
-use super::{Observer, RenderStats, Settings};
+use super::{CellView, Observer, RenderStats, Settings, View};
 
 /// What parts hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,25 +24,29 @@ pub enum Kept {
 /// A scene with a structure and settings, and all that is computed from them before the first ray.
 pub struct Renderer<'a> {
     frame: Frame<'a>,
-    tracer: &'a dyn Tracer,
+    world: &'a dyn TracedWorld,
 }
 
 impl<'a> Renderer<'a> {
     /// Computes what all pieces share.
     #[must_use]
-    pub fn new(scene: &'a Scene, tracer: &'a dyn Tracer, settings: &'a Settings) -> Self {
-        Self::seen_by(&scene.camera, scene, tracer, settings)
+    pub fn new(scene: &'a Scene, world: &'a dyn TracedWorld, settings: &'a Settings) -> Self {
+        let shows_cells = settings.view == View::Cells;
+        let cells = shows_cells.then(|| Arc::new(CellView::new(scene, world)));
+        Self::seen_by(&scene.camera, scene, world, settings, cells)
     }
 
-    /// The same with another camera than the scene's own. The size of its picture is that of the settings.
+    /// The same with another camera than the scene's own, and with cells that were made before; [`View::Cells`] has no
+    /// cells without them. The size of the picture is that of the settings.
     #[must_use]
     pub fn seen_by(
         camera: &Camera,
         scene: &'a Scene,
-        tracer: &'a dyn Tracer,
+        world: &'a dyn TracedWorld,
         settings: &'a Settings,
+        cells: Option<Arc<CellView>>,
     ) -> Self {
-        Self { frame: Frame::new(scene, camera, settings), tracer }
+        Self { frame: Frame::new(scene, camera, settings, cells), world }
     }
 
     /// Renders pieces on the threads of the current rayon pool: each thread takes the next one, until there are no more
@@ -59,7 +63,7 @@ impl<'a> Renderer<'a> {
     ) -> RenderStats {
         let next = AtomicUsize::new(0);
         let on_thread = |_| {
-            let mut renderer = TileRenderer::new(&self.frame, self.tracer, observer);
+            let mut renderer = TileRenderer::new(&self.frame, self.world, observer);
             let mut sum = RenderStats::default();
             while let Some(piece) = pieces.get(next.fetch_add(1, Ordering::Relaxed)) {
                 let Some((part, stats)) = renderer.render(piece, kept) else { break };

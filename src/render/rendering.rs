@@ -2,9 +2,8 @@
 
 use std::time::Instant;
 
-use crate::accel::Tracer;
 use crate::film::Film;
-use crate::scene::Scene;
+use crate::scene::{Scene, TracedWorld};
 
 use super::{Image, Kept, Observer, RenderStats, Renderer, Settings};
 
@@ -29,7 +28,7 @@ pub struct Rendering {
 /// If a crop leaves the picture or is empty, or if there are more than [`Settings::MAX_PIXELS`].
 pub fn render(
     scene: &Scene,
-    tracer: &dyn Tracer,
+    world: &dyn TracedWorld,
     settings: &Settings,
     observer: &dyn Observer,
 ) -> Rendering {
@@ -41,7 +40,7 @@ pub fn render(
     assert!(region.pixels() <= Settings::MAX_PIXELS, "more pixels than memory is trusted to hold");
     let start = Instant::now();
     let film = Film::new(region, settings.film_samples());
-    let renderer = Renderer::new(scene, tracer, settings);
+    let renderer = Renderer::new(scene, world, settings);
     let pieces = film.missing(film.samples());
     let mut stats = renderer.render(&pieces, Kept::Sums, observer, &|part| {
         let taken = film.take(part);

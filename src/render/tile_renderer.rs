@@ -8,7 +8,7 @@ use crate::math::Color;
 
 use super::batch::Batch;
 use super::frame::Frame;
-use super::hit_views::render_hits;
+use super::hit_views::{render_cells, render_hits};
 use super::measured_tracer::MeasuredTracer;
 use super::tiles::pixels_of;
 use super::view_rays::Pixel;
@@ -44,6 +44,7 @@ impl<'a> TileRenderer<'a> {
         let found = match self.frame.settings.view {
             View::Color => self.colors(&order, samples, keeps_samples),
             View::Heatmap => self.test_counts(&order),
+            View::Cells => render_cells(self.frame, &mut self.tracer, &order),
             view => render_hits(self.frame, &mut self.tracer, &order, view),
         };
         if self.tracer.was_cancelled() {

@@ -14,14 +14,23 @@ pub enum View {
     Object,
     /// The primitive that was hit: a colour for each.
     Primitive,
+    /// The leaf of the structure that the ray enters first: a colour for each.
+    Cells,
     /// How many boxes and primitives all of a pixel's rays tested.
     Heatmap,
 }
 
 impl View {
     /// All views.
-    pub const ALL: [Self; 6] =
-        [Self::Color, Self::Normal, Self::Depth, Self::Object, Self::Primitive, Self::Heatmap];
+    pub const ALL: [Self; 7] = [
+        Self::Color,
+        Self::Normal,
+        Self::Depth,
+        Self::Object,
+        Self::Primitive,
+        Self::Cells,
+        Self::Heatmap,
+    ];
 
     /// The name on the command line and in reports.
     #[must_use]
@@ -32,8 +41,15 @@ impl View {
             Self::Depth => "depth",
             Self::Object => "object",
             Self::Primitive => "primitive",
+            Self::Cells => "cells",
             Self::Heatmap => "heatmap",
         }
+    }
+
+    /// Whether it shows the structure, and not the scene: it is another one with another structure.
+    #[must_use]
+    pub fn shows_structure(self) -> bool {
+        matches!(self, Self::Cells | Self::Heatmap)
     }
 
     /// A line of help.
@@ -45,6 +61,7 @@ impl View {
             Self::Depth => "the distance from the eye",
             Self::Object => "which object was hit, a colour each",
             Self::Primitive => "which primitive was hit, a colour each",
+            Self::Cells => "which leaf of the structure a ray enters first, a colour each",
             Self::Heatmap => "how many boxes and primitives the rays tested",
         }
     }

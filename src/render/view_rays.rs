@@ -80,7 +80,8 @@ impl ViewRays {
 
     /// Where the camera has the centre of a pixel: rows count from the bottom there.
     fn center(&self, pixel: Pixel) -> DVec2 {
-        DVec2::new(f64::from(pixel.x), f64::from(self.camera.height - 1 - pixel.y))
+        let below = f64::from(self.camera.height) - 1.0 - f64::from(pixel.y);
+        DVec2::new(f64::from(pixel.x), below)
     }
 }
 

@@ -76,8 +76,8 @@ fn failures(comparison: &Comparison) -> Option<String> {
     }
     for sweep in &comparison.sweeps {
         for entry in sweep.dropped.iter().filter(|entry| entry.failed) {
-            let triangles = numbers::count(entry.triangles);
-            let place = format!("the sweep, in {} with {triangles} triangles", sweep.mesh);
+            let size = numbers::count(entry.triangles);
+            let place = format!("the sweep, in {} with {size} {}", sweep.mesh, sweep.unit);
             add(&entry.structure, place, &entry.reason);
         }
     }
@@ -143,14 +143,15 @@ fn growth(sweep: &SweepFigures) -> Option<String> {
         b.triangles.cmp(&a.triangles).then(time)
     })?;
     let slope = curve.fit.map_or_else(String::new, |fit| {
-        format!("; its cost grows with the power {:.2} of the number of triangles", fit.slope)
+        format!("; its cost grows with the power {:.2} of the number of {}", fit.slope, sweep.unit)
     });
     Some(format!(
-        "{} traces {} rays of {} with {} triangles fastest, in {} each{slope}",
+        "{} traces {} rays of {} with {} {} fastest, in {} each{slope}",
         curve.structure,
         class.name(),
         sweep.mesh,
         numbers::count(end.triangles),
+        sweep.unit,
         numbers::time(end.ns_per_ray.value),
     ))
 }

@@ -64,6 +64,11 @@ impl Camera {
         })
     }
 
+    /// As it was described.
+    pub(super) fn description(&self) -> &description::Camera {
+        &self.description
+    }
+
     /// The same view in a picture of another size. The vertical field of view stays.
     #[must_use]
     pub fn resized(&self, width: u32, height: u32) -> Self {
@@ -77,6 +82,18 @@ impl Camera {
     #[must_use]
     pub fn ray(&self, i: f64, j: f64) -> Ray {
         Ray::new(self.eye, (self.corner + i * self.step_right + j * self.step_up).as_vec3())
+    }
+
+    /// Where a point is seen: (i·z, j·z, z) with the place (i, j) in the picture, as [`ray`](Self::ray) takes it, and z
+    /// how many times as far as the image plane it is, along the direction of view; the ray through (i, j) is there at
+    /// t = z. Not divided, because a line stays one, even where it passes behind the eye, with z below 0.
+    #[must_use]
+    pub fn project(&self, point: DVec3) -> DVec3 {
+        let from_eye = point - self.eye.as_dvec3();
+        let ahead = self.step_right.cross(self.step_up);
+        let z = from_eye.dot(ahead) / self.corner.dot(ahead);
+        let along = |step: DVec3| (from_eye - z * self.corner).dot(step) / step.length_squared();
+        DVec3::new(along(self.step_right), along(self.step_up), z)
     }
 
     /// From one point of the picture to those a pixel further to the right and above: what a ray's
@@ -117,6 +134,18 @@ mod tests {
         assert!(near(-0.5, -0.5, Vec3::new(-4.0, 0.0, -1.0)));
         assert!(near(3.5, 1.5, Vec3::new(4.0, 0.0, 3.0)));
         assert!(near(1.5, 0.5, Vec3::new(0.0, 0.0, 1.0)));
+    }
+
+    #[test]
+    fn a_point_is_seen_where_the_ray_to_it_passes() {
+        let camera = Camera::new(&camera()).unwrap();
+        for (i, j, t) in [(0.0, 0.0, 1.0), (3.0, 1.0, 2.5), (-7.0, 0.25, 40.0)] {
+            let seen = camera.project(camera.ray(i, j).at(t as f32).as_dvec3());
+            let expected = DVec3::new(i * t, j * t, t);
+            assert!(seen.distance(expected) < 1e-4 * t, "{seen} {expected}");
+        }
+        let behind = camera.project(camera.ray(1.0, 1.0).at(-2.0).as_dvec3());
+        assert!((behind.z + 2.0).abs() < 1e-5);
     }
 
     #[test]

@@ -4,6 +4,7 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3, Vec3};
+use rayon::prelude::*;
 
 use crate::assets::MeshData;
 use crate::description::{self, SceneDescription, Shape};
@@ -59,8 +60,11 @@ impl Scene {
 /// from the file's, and the box of an object must contain its primitives' own boxes.
 fn stored_bounds(mesh: &MeshData) -> Aabb {
     let corners = |triangle: &[u32; 3]| triangle.map(|i| mesh.positions[i as usize]);
-    let triangles = mesh.triangles.iter().map(|triangle| Triangle::new(corners(triangle)));
-    triangles.map(|triangle| triangle.bounds()).fold(Aabb::EMPTY, Aabb::union)
+    let bounds = |triangle| Triangle::new(corners(triangle)).bounds();
+    let chunks = mesh.triangles.par_chunks(1 << 13);
+    chunks
+        .map(|chunk| chunk.iter().map(bounds).fold(Aabb::EMPTY, Aabb::union))
+        .reduce(|| Aabb::EMPTY, Aabb::union)
 }
 
 /// The objects that can be traced, and what is wrong with the others.

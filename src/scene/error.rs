@@ -1,6 +1,10 @@
 //! Why a description cannot be traced, or not with a certain structure.
 
+use std::io;
+
 use thiserror::Error;
+
+use crate::accel::LoadError;
 
 use crate::assets::MemoryShortage;
 use crate::math::ConditionError;
@@ -61,4 +65,45 @@ pub enum BuildError {
         /// Its message.
         text: String,
     },
+}
+
+/// Why a structure was not saved.
+#[derive(Debug, Error)]
+pub enum SaveError {
+    /// It is none that can be.
+    #[error("`{structure}` cannot be saved")]
+    NotPortable {
+        /// Its name.
+        structure: &'static str,
+    },
+    /// It cannot be built.
+    #[error(transparent)]
+    Build(#[from] BuildError),
+    /// It cannot be written.
+    #[error(transparent)]
+    Unwritable(#[from] io::Error),
+}
+
+/// Why bytes are no structure over a scene.
+#[derive(Debug, Error)]
+#[error("the structure over {}: {source}", in_words(*mesh))]
+pub struct ReadError {
+    /// The mesh of the scene over which it should be; none for the objects.
+    pub mesh: Option<usize>,
+    /// What is wrong.
+    pub source: LoadError,
+}
+
+impl ReadError {
+    pub(super) fn of_mesh(mesh: usize, source: LoadError) -> Self {
+        Self { mesh: Some(mesh), source }
+    }
+
+    pub(super) fn of_objects(source: LoadError) -> Self {
+        Self { mesh: None, source }
+    }
+}
+
+fn in_words(mesh: Option<usize>) -> String {
+    mesh.map_or_else(|| "the objects".to_owned(), |mesh| format!("mesh {}", mesh + 1))
 }

@@ -19,13 +19,17 @@ mod mesh_rays;
 mod object;
 mod object_list;
 mod range;
+mod saved;
 mod structures;
 mod surface;
 mod transforms;
 mod world;
+mod world_regions;
 
 use std::borrow::Cow;
 use std::sync::Arc;
+
+use rayon::prelude::*;
 
 use crate::assets::MeshData;
 use crate::description::{Material, Options, Shape};
@@ -36,7 +40,7 @@ pub use crate::shapes::EndPointOverlap;
 
 pub use camera::Camera;
 pub use change::SceneChange;
-pub use error::{BuildError, SceneError};
+pub use error::{BuildError, ReadError, SaveError, SceneError};
 pub use foreign::{ForeignBuild, ForeignBytes, ForeignTracer, TriangleObject};
 pub use lights::Light;
 pub use object::Object;
@@ -45,6 +49,7 @@ pub use structures::{PEERS, STRUCTURES, Structure, structure_named};
 pub use surface::Surface;
 use transforms::Transforms;
 pub use world::{BuildReport, TracedWorld, World};
+pub use world_regions::WorldRegions;
 
 /// A scene, compiled: plain data in the world's space, ready to be indexed and traced.
 #[derive(Clone, Debug)]
@@ -67,7 +72,11 @@ impl Scene {
     /// The box around all objects; empty if there are none.
     #[must_use]
     pub fn bounds(&self) -> Aabb {
-        self.objects.iter().map(|object| object.bounds()).fold(Aabb::EMPTY, Aabb::union)
+        let chunks = self.objects.par_chunks(1 << 12);
+        let of_chunk = |objects: &[Object]| {
+            objects.iter().map(|object| object.bounds()).fold(Aabb::EMPTY, Aabb::union)
+        };
+        chunks.map(of_chunk).reduce(|| Aabb::EMPTY, Aabb::union)
     }
 
     /// The meshes, as objects refer to them.
@@ -106,6 +115,7 @@ impl Scene {
     /// Whether any material lets light through.
     #[must_use]
     pub fn has_transparency(&self) -> bool {
-        self.objects.iter().any(|object| self.materials[object.material].alpha < 1.0)
+        self.materials.iter().any(|material| material.alpha < 1.0)
+            && self.objects.iter().any(|object| self.materials[object.material].alpha < 1.0)
     }
 }

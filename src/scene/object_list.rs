@@ -16,6 +16,7 @@ use crate::counters::Counters;
 use crate::description::Shape;
 use crate::math::{Aabb, BoxRay, NONE, Padding, Ray, RayToObject};
 use crate::shapes::{Instance, Single, TriangleSet};
+use crate::simd::{ask_for_huge_pages, prefetch};
 
 use super::mesh_rays::{test_mesh, test_mesh_many};
 use super::{Object, Scene, SceneChange};
@@ -23,6 +24,9 @@ use super::{Object, Scene, SceneChange};
 /// Paddings grow with how much a transform amplifies rounding, up to this: beyond, an object is so
 /// nearly flat that its own hits are noise.
 const LARGEST_AMPLIFICATION: f64 = 1e4;
+
+/// So many objects are asked of memory ahead of their use.
+const AHEAD: usize = 12;
 
 /// The objects of a scene, their meshes indexed by `A`. Empty slots are not supported, and not
 /// needed: objects are tested one by one.
@@ -83,9 +87,82 @@ impl<A: Accel> ObjectList<A> {
         list
     }
 
+    /// The same list as [`new`](Self::new), its objects in an order of slots; each is in one. `None` if rays cannot be
+    /// taken to an object's own space.
+    pub(super) fn in_order(
+        scene: &Scene,
+        meshes: &[Arc<Indexed<TriangleSet, A>>],
+        order: &[u32],
+    ) -> Option<Self> {
+        let stored = |(slot, &id): (usize, &u32)| {
+            // Slots are in another order than ids: what comes next is not in the caches.
+            if let Some(&next) = order.get(slot + AHEAD) {
+                prefetch(&scene.objects[next as usize]);
+            }
+            let object = &scene.objects[id as usize];
+            let form = match object.shape {
+                Shape::Single(_) => StoredForm::Single(0),
+                Shape::Mesh { mesh, .. } => StoredForm::Mesh(mesh as u32),
+            };
+            StoredInstance { corners: object.corners, to_object: object.transform, form, id }
+        };
+        let mut objects = Vec::with_capacity(order.len());
+        ask_for_huge_pages(objects.spare_capacity_mut());
+        let slots = order.par_iter().enumerate().with_min_len(1 << 8);
+        slots.map(stored).collect_into_vec(&mut objects);
+        // What the objects refer to stands in the order of the objects, too.
+        let (mut singles, mut transforms) = (Vec::new(), Vec::new());
+        for object in &mut objects {
+            if object.to_object != NONE {
+                object.to_object = push(&mut transforms, object.to_object);
+            }
+            if let StoredForm::Single(place) = &mut object.form
+                && let Shape::Single(single) = scene.objects[object.id as usize].shape
+            {
+                *place = push(&mut singles, single);
+            }
+        }
+        let mut to_object = Vec::with_capacity(transforms.len());
+        ask_for_huge_pages(to_object.spare_capacity_mut());
+        let mut amplifications = Vec::new();
+        let places = transforms.par_iter().enumerate().with_min_len(1 << 8);
+        let prepared = places.map(|(place, &transform)| {
+            if let Some(&next) = transforms.get(place + AHEAD) {
+                scene.transforms.prefetch(next);
+            }
+            let transform = scene.transforms.get(transform);
+            let transform = transform.expect("what is not `NONE` is there");
+            (transform.ray_to_object(), transform.amplification())
+        });
+        prepared.unzip_into_vecs(&mut to_object, &mut amplifications);
+        if !to_object.par_iter().with_min_len(1 << 12).all(RayToObject::is_finite) {
+            return None;
+        }
+        let amplification = amplifications.into_iter().fold(1.0, f64::max);
+        let factor = amplification.min(LARGEST_AMPLIFICATION) as f32;
+        Some(Self {
+            objects,
+            to_object,
+            singles,
+            meshes: meshes.to_vec(),
+            padding: Padding { largest: scene.bounds().largest_coordinate(), factor },
+            slots: Vec::new(),
+        })
+    }
+
+    /// The object in each slot.
+    pub(super) fn ids(&self) -> Vec<u32> {
+        self.objects.iter().map(|object| object.id).collect()
+    }
+
     /// Takes the meshes out, for as long as they change, and puts others in.
     pub(super) fn swap_meshes(&mut self, meshes: &mut Vec<Arc<Indexed<TriangleSet, A>>>) {
         std::mem::swap(&mut self.meshes, meshes);
+    }
+
+    /// The object in a slot.
+    pub(super) fn id_of(&self, slot: u32) -> u32 {
+        self.objects[slot as usize].id
     }
 
     /// The slots of some objects.

@@ -1,13 +1,14 @@
 //! The table of structures: a new one is a file in `accel/` and a line here.
 
 use std::any::TypeId;
+use std::io::{self, Read, Write};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use crate::accel::{
     Accel, BallTree, BoundingBall, BuildConfig, BuildOptions, Bvh, Bvh8, CompressedWideBvh,
-    Exhaustive, Grid, Indexed, KDopTree, KdTree, Octree, OptionError, OptionInfo, Tracer,
-    TwoLevelGrid,
+    Exhaustive, Grid, Indexed, KDopTree, KdTree, LoadError, Octree, OptionError, OptionInfo,
+    Portable, Tracer, TwoLevelGrid,
 };
 use crate::assets::expect_memory;
 use crate::conformance::{self, FirstDifference, Limits, Summary};
@@ -18,7 +19,7 @@ use super::embree::Embree;
 use super::foreign::{ForeignTracer, ForeignWorld};
 #[cfg(feature = "libraries")]
 use super::libraries::{ObvhsBvh2, ObvhsCwBvh, Parry, Svenstaro};
-use super::{BuildError, Scene, TracedWorld, World};
+use super::{BuildError, ReadError, SaveError, Scene, TracedWorld, World};
 
 /// A structure by name, with the options that were chosen for it.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +47,15 @@ pub struct Structure {
     build: BuildFunction,
     /// What structures that give equal hits can do beside; none for peers.
     equal: Option<EqualHits>,
+    /// How it is saved, if it can be.
+    saved: Option<Saved>,
+}
+
+/// How a structure is saved and read again.
+#[derive(Clone, Copy, Debug)]
+struct Saved {
+    write: fn(&Scene, &BuildConfig, &mut dyn Write) -> io::Result<()>,
+    read: ReadFunction,
 }
 
 /// What can be done with a structure that gives equal hits.
@@ -62,6 +72,8 @@ const PACKED_TRIANGLE: u64 = 40;
 const LISTED_OBJECT: u64 = 60;
 
 const NO_OPTIONS: &BuildOptions = &BuildOptions::NONE;
+
+type ReadFunction = fn(&Scene, &mut dyn Read, u64) -> Result<Box<dyn TracedWorld>, ReadError>;
 
 type BuildFunction = fn(&Scene, &BuildConfig) -> Result<Box<dyn TracedWorld>, BuildError>;
 
@@ -87,7 +99,21 @@ impl Structure {
                 index: |triangles, config| Box::new(Indexed::<_, T>::build(triangles, config)),
                 check: check::<O, T>,
             }),
+            saved: None,
         }
+    }
+
+    /// The same as [`new`](Self::new), of a structure that can be saved.
+    #[must_use]
+    pub const fn portable<O: Portable + 'static, T: Portable + 'static>(
+        name: &'static str,
+        summary: &'static str,
+    ) -> Self {
+        let saved = Saved {
+            write: |scene, config, out| World::<O, T>::build(scene, config).write(out),
+            read: |scene, input, size| Ok(Box::new(World::<O, T>::read(scene, input, size)?)),
+        };
+        Self { saved: Some(saved), ..Self::new::<O, T>(name, summary) }
     }
 
     /// Another program's library, as a peer.
@@ -108,6 +134,7 @@ impl Structure {
             refits: false,
             build: |scene, config| Ok(Box::new(ForeignWorld::<F>::build(scene, config)?)),
             equal: None,
+            saved: None,
         }
     }
 
@@ -188,6 +215,48 @@ impl Structure {
         self.try_build(scene, config).unwrap_or_else(|error| panic!("`{}`: {error}", self.name))
     }
 
+    /// Whether it can be saved once it is built: [`save`](Self::save).
+    #[must_use]
+    pub fn can_be_saved(&self) -> bool {
+        self.saved.is_some()
+    }
+
+    /// Builds it over a scene and writes it, without the scene.
+    ///
+    /// # Errors
+    /// As of [`try_build`](Self::try_build), if it cannot be saved, or if it cannot be written.
+    pub fn save(
+        &self,
+        scene: &Scene,
+        config: &BuildConfig,
+        out: &mut dyn Write,
+    ) -> Result<(), SaveError> {
+        let saved = self.saved.ok_or(SaveError::NotPortable { structure: self.name })?;
+        expect_memory(self.bytes_to_build(scene)).map_err(BuildError::from)?;
+        Ok((saved.write)(scene, &self.config(config), out)?)
+    }
+
+    /// Reads what [`save`](Self::save) has written for the same scene, and nothing behind it. `size` is how many bytes
+    /// there are at most.
+    ///
+    /// The bytes need not be trusted: what is read gives the hits of the scene.
+    ///
+    /// # Errors
+    /// If it cannot be read, was damaged, or is not over this scene.
+    pub fn load(
+        &self,
+        scene: &Scene,
+        input: &mut dyn Read,
+        size: u64,
+    ) -> Result<Box<dyn TracedWorld>, ReadError> {
+        let invalid = |what: String| ReadError::of_objects(LoadError::invalid(what));
+        let saved = self.saved.ok_or_else(|| invalid(format!("`{}` is never saved", self.name)))?;
+        let triangles: usize = scene.meshes().iter().map(|mesh| mesh.triangles.len()).sum();
+        let bytes = PACKED_TRIANGLE * triangles as u64 + LISTED_OBJECT * scene.objects.len() as u64;
+        expect_memory(bytes).map_err(|shortage| invalid(shortage.to_string()))?;
+        (saved.read)(scene, input, size)
+    }
+
     /// Builds it over the triangles of one mesh, without a scene; hits name object 0. `None` for a
     /// peer.
     #[must_use]
@@ -254,14 +323,14 @@ fn kept(name: String, options: BuildOptions) -> &'static Chosen {
 ///
 /// A `static`: a crate that names a constant compiles all that it refers to, every kernel of every structure, again.
 pub static STRUCTURES: &[Structure] = &[
-    Structure::new::<Exhaustive, Exhaustive>("none", "test every object and every triangle"),
-    Structure::new::<Exhaustive, BoundingBall>("ball", "one bounding ball around each mesh"),
-    Structure::new::<Bvh, Bvh>("bvh", "obvhs's binary tree over objects and triangles"),
-    Structure::new::<CompressedWideBvh, CompressedWideBvh>(
+    Structure::portable::<Exhaustive, Exhaustive>("none", "test every object and every triangle"),
+    Structure::portable::<Exhaustive, BoundingBall>("ball", "one bounding ball around each mesh"),
+    Structure::portable::<Bvh, Bvh>("bvh", "obvhs's binary tree over objects and triangles"),
+    Structure::portable::<CompressedWideBvh, CompressedWideBvh>(
         "cwbvh",
         "obvhs's compressed eight-wide tree over objects and triangles",
     ),
-    Structure::new::<Bvh8, Bvh8>(
+    Structure::portable::<Bvh8, Bvh8>(
         "bvh8",
         "an eight-wide tree over objects and triangles: many rays at once",
     ),

@@ -1,12 +1,14 @@
 //! A scene with a structure over it, on two levels.
 
+mod saved;
+
 use std::convert::Infallible;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use crate::accel::{
-    Accel, Answers, BuildConfig, BuildStages, Indexed, Moved, OptionInfo, Scratch, StructureShape,
-    Tracer,
+    Accel, Answers, BuildConfig, BuildStages, Indexed, Moved, OptionInfo, Regions, Scratch,
+    StructureShape, Tracer,
 };
 use crate::assets::MeshData;
 use crate::counters::Counts;
@@ -14,7 +16,7 @@ use crate::description::Shape;
 use crate::math::{Aabb, NONE, Ray};
 use crate::shapes::{EndPointOverlap, OVERLAP_SAMPLES, TriangleSet, end_point_overlap};
 
-use super::{Object, ObjectList, Scene, SceneChange};
+use super::{Object, ObjectList, Scene, SceneChange, WorldRegions};
 
 /// A scene indexed by `O` over its objects and by `T` over the triangles of each mesh.
 #[derive(Clone, Debug)]
@@ -58,6 +60,11 @@ pub trait TracedWorld: Tracer {
     fn refit(&mut self, change: &SceneChange<'_>) -> bool {
         let _ = change;
         false
+    }
+
+    /// The parts of space that rays are tested against, for pictures; none of a peer, which does not show them.
+    fn regions(&self) -> WorldRegions {
+        WorldRegions::default()
     }
 
     /// The end-point overlap of the trees over the meshes, added up, each mesh once; `None` where
@@ -177,6 +184,15 @@ impl<O: Accel, T: Accel> TracedWorld for World<O, T> {
             triangles,
             triangle_bytes,
         }
+    }
+
+    fn regions(&self) -> WorldRegions {
+        let mut objects = Regions::default();
+        if self.only_mesh.is_none() {
+            objects = self.objects.regions();
+            objects.rename(|slot| self.objects.primitives().id_of(slot));
+        }
+        WorldRegions { objects, meshes: self.meshes.iter().map(|mesh| mesh.regions()).collect() }
     }
 
     fn end_point_overlap(&self, seed: u64) -> Option<EndPointOverlap> {

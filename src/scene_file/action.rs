@@ -47,6 +47,8 @@ pub(super) struct SceneAction {
 pub(super) enum Addition {
     Nothing,
     Object,
+    /// As many objects as its value says.
+    Scattered,
     Light,
 }
 
@@ -63,6 +65,11 @@ pub(super) const fn change_always(apply: fn(&mut SceneBuilder, &Values<'_>)) -> 
 /// Adds an object.
 pub(super) const fn add_object(apply: fn(&mut SceneBuilder, &Values<'_>)) -> Action {
     Action::Scene(SceneAction { adds: Addition::Object, is_keyed: true, apply })
+}
+
+/// Adds as many objects as its value says.
+pub(super) const fn add_scattered(apply: fn(&mut SceneBuilder, &Values<'_>)) -> Action {
+    Action::Scene(SceneAction { adds: Addition::Scattered, is_keyed: false, apply })
 }
 
 /// Adds a light.

@@ -51,6 +51,8 @@ pub enum ValueKind {
     Whole(u32, u32),
     /// The name of a file.
     Name,
+    /// What is scattered: [`ScatterRecipe`](crate::scatter::ScatterRecipe).
+    Scatter,
     /// Another command with its values, to the end of the line.
     Command,
 }
@@ -100,7 +102,8 @@ impl SceneCommand {
     /// Whether its values may be others in every frame: numbers that need not be whole, as far as its kind goes.
     pub(super) fn takes_numbers(&self) -> bool {
         let is_number = |value: &Value| {
-            !matches!(value.kind, ValueKind::Whole(..) | ValueKind::Name | ValueKind::Command)
+            use ValueKind::{Command, Name, Scatter, Whole};
+            !matches!(value.kind, Whole(..) | Name | Scatter | Command)
         };
         !self.values.is_empty() && self.values.iter().all(is_number)
     }
@@ -118,7 +121,7 @@ impl ValueKind {
     /// What is wrong with a finite number as a value of this kind: "must be …".
     pub(super) fn complaint(self, number: f64) -> Option<String> {
         let right = match self {
-            Self::Number | Self::Reflectance | Self::Name | Self::Command => true,
+            Self::Number | Self::Reflectance | Self::Name | Self::Scatter | Self::Command => true,
             Self::Positive => number > 0.0 && !is_zero(number),
             Self::NotNegative => number >= 0.0,
             Self::ScaleFactor => !is_zero(number),
@@ -147,6 +150,7 @@ impl fmt::Display for ValueKind {
             Self::FieldOfView => f.write_str("between 0 and 180 degrees"),
             Self::Whole(low, high) => write!(f, "a whole number from {low} to {high}"),
             Self::Name => f.write_str("the name of a file"),
+            Self::Scatter => f.write_str("KIND:COUNT[:SEED]"),
             Self::Command => f.write_str("a command with its values"),
         }
     }

@@ -2,6 +2,7 @@
 //! other; before the first and behind the last they stay as they are.
 
 use crate::description::Span;
+use crate::scatter::ScatterRecipe;
 
 use super::action::SceneAction;
 use super::builder::SceneBuilder;
@@ -39,6 +40,14 @@ pub(super) struct Key<'s> {
 }
 
 impl Arguments<'_> {
+    /// What is scattered, for a command that scatters.
+    pub(super) fn scattered(&self) -> Option<ScatterRecipe> {
+        match self {
+            Self::Same(values) => values.scattered(),
+            Self::Keyed(_) => None,
+        }
+    }
+
     /// Carries a command out with what its values are now.
     pub(super) fn apply(&self, action: SceneAction, scene: &mut SceneBuilder) {
         match self {

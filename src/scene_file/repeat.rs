@@ -11,7 +11,7 @@ use super::builder::SceneBuilder;
 use super::diagnostic::Diagnostic;
 use super::keys::Arguments;
 
-/// The most iterations of one `repeat`, and the most objects and lights of a scene with `repeat`.
+/// The most iterations of one `repeat`, and the most objects and lights of a scene with `repeat` or `scatter`.
 pub(super) const MOST_ENTITIES: u32 = 1 << 24;
 
 /// The most commands and iterations that a `repeat` and those within it may carry out.
@@ -114,9 +114,14 @@ struct Totals {
 }
 
 impl Totals {
-    fn of_command(action: SceneAction) -> Self {
-        let adds = |what| u64::from(action.adds == what);
-        Self { steps: 1, objects: adds(Addition::Object), lights: adds(Addition::Light) }
+    fn of_command(action: SceneAction, arguments: &Arguments<'_>) -> Self {
+        let (objects, lights) = match action.adds {
+            Addition::Nothing => (0, 0),
+            Addition::Object => (1, 0),
+            Addition::Scattered => (arguments.scattered().map_or(0, |what| what.count.into()), 0),
+            Addition::Light => (0, 1),
+        };
+        Self { steps: 1, objects, lights }
     }
 
     fn plus(self, other: Self) -> Self {
@@ -135,6 +140,68 @@ impl Totals {
     fn entities(self) -> u64 {
         self.objects.saturating_add(self.lights)
     }
+
+    /// Makes room for all of it, for the command at a place.
+    fn make_room(self, scene: &mut SceneBuilder, place: &Span) -> Result<(), Diagnostic> {
+        let in_all = self.entities().saturating_add(scene.entity_count() as u64);
+        if in_all > u64::from(MOST_ENTITIES) || self.steps > MOST_STEPS {
+            return Err(self.excess(place, in_all));
+        }
+        let (objects, lights) = (self.objects as usize, self.lights as usize);
+        let memory = scene.memory().filter(|&memory| memory < bytes(objects, lights));
+        if memory.is_some() {
+            return Err(lack_of_memory(place, objects, lights, memory));
+        }
+        scene.reserve(objects, lights).map_err(|_| lack_of_memory(place, objects, lights, None))
+    }
+
+    fn excess(self, place: &Span, in_all: u64) -> Diagnostic {
+        let message = if in_all > u64::from(MOST_ENTITIES) {
+            format!("this makes {} objects and lights", self.entities())
+        } else {
+            format!("this takes {} commands and iterations", self.steps)
+        };
+        let help = format!(
+            "a scene with `repeat` or `scatter` has at most {MOST_ENTITIES} objects and lights, and a `repeat` \
+             takes at most {MOST_STEPS} commands and iterations"
+        );
+        Diagnostic::error(place.clone(), message).with_label("too many").with_help(help)
+    }
+}
+
+/// Makes room for the objects that a command scatters.
+///
+/// # Errors
+/// If they are too many, or take too much memory.
+pub(super) fn make_room(
+    scene: &mut SceneBuilder,
+    objects: u32,
+    command: &Span,
+) -> Result<(), Diagnostic> {
+    Totals { objects: objects.into(), ..Totals::default() }.make_room(scene, command)
+}
+
+/// `available` is how much there is, where that is known.
+fn lack_of_memory(
+    place: &Span,
+    objects: usize,
+    lights: usize,
+    available: Option<u64>,
+) -> Diagnostic {
+    let megabytes = |bytes: u64| bytes.div_ceil(1_000_000);
+    let available = available.map_or_else(String::new, |available| {
+        format!(", and {} MB are available", megabytes(available))
+    });
+    let message = format!(
+        "this makes {} objects and lights, more than the memory can hold",
+        objects + lights
+    );
+    let help = format!(
+        "to read them takes {} MB{available}: make fewer, or let the program use more \
+         memory",
+        megabytes(bytes(objects, lights))
+    );
+    Diagnostic::error(place.clone(), message).with_label("too many").with_help(help)
 }
 
 impl Repeat<'_> {
@@ -143,7 +210,7 @@ impl Repeat<'_> {
         // A repeat without a command takes its iterations all the same.
         let iteration = Totals { steps: 1, ..Totals::default() };
         let of_step = |step: &RepeatStep<'_>| match step {
-            RepeatStep::Command(action, _) => Totals::of_command(*action),
+            RepeatStep::Command(action, arguments) => Totals::of_command(*action, arguments),
             RepeatStep::Repeat(repeat) => repeat.totals(),
         };
         self.steps.iter().map(of_step).fold(iteration, Totals::plus).times(self.count)
@@ -155,48 +222,7 @@ impl Repeat<'_> {
     /// # Errors
     /// If it adds or takes too much.
     fn check(&self, scene: &mut SceneBuilder) -> Result<(), Diagnostic> {
-        let totals = self.totals();
-        let in_all = totals.entities().saturating_add(scene.entity_count() as u64);
-        if in_all > u64::from(MOST_ENTITIES) || totals.steps > MOST_STEPS {
-            return Err(self.excess(totals, in_all));
-        }
-        let (objects, lights) = (totals.objects as usize, totals.lights as usize);
-        let memory = scene.memory().filter(|&memory| memory < bytes(objects, lights));
-        if memory.is_some() {
-            return Err(self.lack_of_memory(objects, lights, memory));
-        }
-        scene.reserve(objects, lights).map_err(|_| self.lack_of_memory(objects, lights, None))
-    }
-
-    fn excess(&self, totals: Totals, in_all: u64) -> Diagnostic {
-        let message = if in_all > u64::from(MOST_ENTITIES) {
-            format!("this makes {} objects and lights", totals.entities())
-        } else {
-            format!("this takes {} commands and iterations", totals.steps)
-        };
-        let help = format!(
-            "a scene with `repeat` has at most {MOST_ENTITIES} objects and lights, and a `repeat` \
-             takes at most {MOST_STEPS} commands and iterations"
-        );
-        Diagnostic::error(self.opened.clone(), message).with_label("too many").with_help(help)
-    }
-
-    /// `available` is how much there is, where that is known.
-    fn lack_of_memory(&self, objects: usize, lights: usize, available: Option<u64>) -> Diagnostic {
-        let megabytes = |bytes: u64| bytes.div_ceil(1_000_000);
-        let available = available.map_or_else(String::new, |available| {
-            format!(", and {} MB are available", megabytes(available))
-        });
-        let message = format!(
-            "this makes {} objects and lights, more than the memory can hold",
-            objects + lights
-        );
-        let help = format!(
-            "to read them takes {} MB{available}: repeat fewer times, or let the program use more \
-             memory",
-            megabytes(bytes(objects, lights))
-        );
-        Diagnostic::error(self.opened.clone(), message).with_label("too many").with_help(help)
+        self.totals().make_room(scene, &self.opened)
     }
 
     /// Carries it out, up to the first iteration in which something is wrong.

@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use crate::description::Span;
 use crate::math::Color;
+use crate::scatter::{ScatterError, ScatterRecipe};
 
 use super::command::{SceneCommand, Value, ValueKind};
 use super::diagnostic::{Diagnostic, counted, quoted};
@@ -20,6 +21,7 @@ pub(super) struct Values<'s> {
     spans: Vec<Span>,
     numbers: Vec<f64>,
     name: &'s str,
+    scattered: Option<ScatterRecipe>,
 }
 
 impl Values<'_> {
@@ -41,6 +43,11 @@ impl Values<'_> {
     /// The file's name, for a command that takes one.
     pub(super) fn name(&self) -> &str {
         self.name
+    }
+
+    /// What is scattered, for a command that scatters.
+    pub(super) fn scattered(&self) -> Option<ScatterRecipe> {
+        self.scattered
     }
 
     /// The number at an index among the numbers; an index beyond those of the command is a slip in
@@ -79,6 +86,7 @@ impl Values<'_> {
             spans: self.spans.clone(),
             numbers: self.numbers.iter().zip(&other.numbers).map(between).collect(),
             name: self.name,
+            scattered: self.scattered,
         }
     }
 
@@ -106,14 +114,15 @@ pub(super) fn read<'s>(
         spans: words.iter().map(Word::span).collect(),
         numbers: Vec::with_capacity(words.len()),
         name: "",
+        scattered: None,
     };
     for (value, word) in command.values.iter().zip(words) {
-        if value.kind == ValueKind::Name {
-            name(*word).map_or_else(|e| wrong.push(e), |name| values.name = name);
-        } else {
-            number(command, value, *word)
-                .map_or_else(|e| wrong.push(e), |n| values.numbers.push(n));
-        }
+        let read = match value.kind {
+            ValueKind::Name => name(*word).map(|name| values.name = name),
+            ValueKind::Scatter => scatter(*word).map(|recipe| values.scattered = Some(recipe)),
+            _ => number(command, value, *word).map(|number| values.numbers.push(number)),
+        };
+        wrong.extend(read.err());
     }
     if wrong.is_empty() { Ok(values) } else { Err(wrong) }
 }
@@ -256,6 +265,20 @@ fn out_of_bounds(number: f64) -> String {
     } else {
         format!("this is {number}")
     }
+}
+
+/// What is scattered.
+fn scatter(word: Word<'_>) -> Result<ScatterRecipe, Diagnostic> {
+    ScatterRecipe::parse(word.text).map_err(|error| {
+        let what = match error {
+            ScatterError::UnknownKind { .. } => "no such kind",
+            ScatterError::BadCount { .. } => "how many",
+            ScatterError::BadSeed { .. } => "the seed",
+            ScatterError::WrongParts { .. } => "not of the form KIND:COUNT[:SEED]",
+        };
+        let help = error.help();
+        Diagnostic::error(word.span(), error.to_string()).with_label(what).with_help(help)
+    })
 }
 
 /// The name of a file, without its quotes.

@@ -143,7 +143,7 @@ fn objects_that_memory_cannot_hold() {
     for part in [
         "error: this makes 16000000 objects and lights, more than the memory can hold",
         "--> many.sce:25:1",
-        "repeat fewer times, or let the program use more memory",
+        "make fewer, or let the program use more memory",
         "`many.sce` is not a valid scene: 1 error",
     ] {
         assert!(stderr.contains(part), "{part}:\n{stderr}");

@@ -148,7 +148,7 @@ fn a_study_of_sampling_is_a_chapter_in_all_forms() {
 fn what_cannot_be_done_is_refused_before_the_work() {
     refused(&["compare"], &["SCENE"]);
     refused(&["compare", "scene.sce", "--accel", "bhv"], &["none", "cwbvh"]);
-    refused(&["compare", "--sweep", "1k..10k"], &["--mesh"]);
+    refused(&["compare", "--sweep", "1k..10k"], &["--family"]);
     refused(&["compare", "--sweep", "10k..1k", "--mesh", "hall"], &["the smaller first"]);
     refused(&["compare", "--sweep", "1k..2k", "--mesh", "hall", "--sampling-study"], &["<SCENE>"]);
     let sweep = ["compare", "--sweep", "1k..2k", "--mesh", "hall"];

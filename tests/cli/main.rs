@@ -4,6 +4,7 @@
 
 mod animate;
 mod arguments;
+mod built;
 mod check;
 mod compare;
 mod conformance;
@@ -21,6 +22,7 @@ mod rays;
 #[cfg(unix)]
 mod refine;
 mod rendering;
+mod show;
 mod stats;
 mod support;
 mod tone;

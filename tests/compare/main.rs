@@ -19,7 +19,7 @@ use broken::{Panicking, Shrunken};
 use slow::Forgetful;
 use srt::accel::{Accel, Bounded, Build, Built, Bvh};
 use srt::assets::generate::MeshKind;
-use srt::compare::{ComparisonResult, Observer, Plan, SceneInput, Silent, SweepPlan, run};
+use srt::compare::{ComparisonResult, Family, Observer, Plan, SceneInput, Silent, SweepPlan, run};
 use srt::counters::Counters;
 use srt::math::{BoxRay, Ray};
 use srt::record::{RayClass, RoundRule, Status};
@@ -129,7 +129,7 @@ fn a_structure_that_prunes_too_much_is_caught_with_a_ray() {
 fn a_sweep_compares_hits_and_drops_a_structure_that_differs() {
     let broken = Structure::new::<Bvh, Forgetful>("lossy", "loses half of the triangles");
     let plan = Plan {
-        sweep: Some(SweepPlan { mesh: MeshKind::Icosphere, sizes: vec![80, 320] }),
+        sweep: Some(SweepPlan { family: Family::Mesh(MeshKind::Icosphere), sizes: vec![80, 320] }),
         scenes: vec![],
         budget: Some(Duration::from_secs(6)),
         ..plan()

@@ -6,6 +6,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
+mod families;
 mod scenes;
 
 use glam::Vec3;

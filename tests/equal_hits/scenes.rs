@@ -91,7 +91,7 @@ fn compare_frames(seed: u64, scale: f64, numbers: Range<usize>) -> usize {
 }
 
 /// Compares all structures with the first of the table, `none`; returns how many rays.
-fn compare(scene: &Scene, seed: u64, count: usize) -> usize {
+pub(super) fn compare(scene: &Scene, seed: u64, count: usize) -> usize {
     let worlds: Vec<_> = STRUCTURES
         .iter()
         .flat_map(|structure| {

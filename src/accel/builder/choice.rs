@@ -79,14 +79,16 @@ mod tests {
     #[test]
     fn reinsertion_is_as_it_is_given_or_as_the_quality_says_and_makes_trees_cheaper() {
         let option = Builder::option("sah");
-        let of = |text, quality| {
+        let of = |text: &str, quality| {
             let options = BuildOptions::of::<Bvh8>(text).unwrap();
             let config = BuildConfig { options, quality, ..BuildConfig::default() };
             TreeChoice::of(&config, &option, Builder::Sah)
         };
-        let share = |text, quality| of(text, quality).reinserted;
-        assert_eq!(share("", Quality::Medium), 0.0);
-        assert!(share("", Quality::Slow) > 0.0 && share("builder=ploc", Quality::Medium) > 0.0);
+        let share = |text: &str, quality| of(text, quality).reinserted;
+        assert_eq!(share("leaf=8", Quality::Medium), 0.0);
+        assert!(
+            share("leaf=8", Quality::Slow) > 0.0 && share("builder=ploc", Quality::Medium) > 0.0
+        );
         assert_eq!(share("builder=ploc,reinsertion=0", Quality::Slow), 0.0);
         assert_eq!(share("builder=lbvh,reinsertion=15", Quality::Fastest), 0.15);
 
@@ -97,12 +99,15 @@ mod tests {
             .map(|(a, b)| Aabb { min: a, max: a + 0.1 * b })
             .collect();
         let boxes = Boxes(boxes);
-        let cost = |text| {
+        let cost = |text: &str| {
             let tree = of(text, Quality::Medium).tree(&boxes, 1, 1, &mut BuildStages::default());
             let inner = tree.nodes.iter().filter(|node| !node.is_leaf());
             inner.map(|node| f64::from(node.aabb().half_area())).sum::<f64>()
         };
-        let [plain, improved] = ["builder=lbvh", "builder=lbvh,reinsertion=20"].map(cost);
-        assert!(improved < 0.95 * plain, "{plain} {improved}");
+        for builder in ["lbvh", "median", "sah"] {
+            let [plain, improved] = ["0", "50"]
+                .map(|percent| cost(&format!("builder={builder},reinsertion={percent}")));
+            assert!(improved < plain, "{builder}: {plain} {improved}");
+        }
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! Pantaleoni, Luebke: *HLBVH: Hierarchical LBVH Construction for Real-Time Ray Tracing of Dynamic Geometry*, 2010, and
 //! Garanzha, Pantaleoni, McAllister: *Simpler and Faster HLBVH with Work Queues*, 2011. Primitives that share the first
-//! bits of their codes are a cluster: a cell of a coarse grid. Each cluster is a tree of [`lbvh`](super::lbvh); the tree
-//! over the clusters, which is small and visited by every ray, is that of [`binned`](super::binned).
+//! bits of their codes are a cluster: a cell of a coarse grid. Each cluster is a tree of [`lbvh`](super::lbvh); the
+//! tree over the clusters, which is small and visited by every ray, is that of [`binned`](super::binned).
 
 use glam::Vec3A;
 use obvhs::bvh2::Bvh2;

@@ -12,8 +12,8 @@
 //! * `lbvh` (`lbvh.rs`): along Morton's curve;
 //! * `hlbvh` (`hlbvh.rs`): along Morton's curve below, by the surface area heuristic above.
 //!
-//! Each can be improved by obvhs's reinsertion (Meister, Bittner: *Parallel Reinsertion for Bounding Volume
-//! Hierarchy Optimization*, 2018), as the option or the quality says (`choice.rs`). None depends on the number of threads.
+//! Each can be improved by obvhs's reinsertion (Meister, Bittner: *Parallel Reinsertion for Bounding Volume Hierarchy
+//! Optimization*, 2018), as the option or the quality says (`choice.rs`). None depends on the number of threads.
 
 mod all_places;
 mod binned;

@@ -27,7 +27,7 @@ const CHILDREN: usize = 6 * WIDTH;
 
 /// The first word of the orders. For each octant of directions there are three bits in every word: which
 /// child comes in this place, the farthest first.
-const ORDERS: usize = 7 * WIDTH;
+pub(super) const ORDERS: usize = 7 * WIDTH;
 
 /// Octants of directions.
 const OCTANTS: usize = 8;
@@ -119,6 +119,26 @@ impl Node {
         }
         Self { words }
     };
+
+    /// The planes and children, row by row: all that the rest follows from.
+    pub(super) fn stored_words(&self) -> [u32; ORDERS] {
+        std::array::from_fn(|place| self.words[place])
+    }
+
+    /// The node of these words, which may be any. Lanes without a child are empty, whatever their
+    /// planes are.
+    pub(super) fn of_words(words: [u32; ORDERS]) -> Self {
+        let mut node = Self::EMPTY;
+        for lane in 0..WIDTH {
+            if words[CHILDREN + lane] != Child::ABSENT.0 {
+                (0..ROWS - 1).for_each(|row| {
+                    node.words[row * WIDTH + lane] = words[row * WIDTH + lane];
+                });
+            }
+        }
+        node.sort();
+        node
+    }
 
     /// The row that begins at a place.
     #[inline(always)]

@@ -5,9 +5,11 @@
 
 use std::io;
 
-use crate::accel::save::Nodes;
+use rayon::prelude::*;
+
+use crate::accel::save::{Nodes, is_plainly_sound};
 use crate::accel::{Bounded, Decoder, Encoder, LoadError, PACK, Portable, Slots};
-use crate::simd::ask_for_huge_pages;
+use crate::math::NONE;
 
 use super::node::{Child, Node, WIDTH};
 use super::{Bvh8, stack_need};
@@ -17,19 +19,7 @@ impl Portable for Bvh8 {
 
     fn write(&self, out: &mut Encoder<'_>) -> io::Result<()> {
         out.u32(self.nodes.len() as u32)?;
-        for node in &self.nodes {
-            out.u32(node.present().count() as u32)?;
-            for (lane, child) in node.present() {
-                out.aabb(&node.child_bounds(lane))?;
-                let (count, first) = match child.is_leaf() {
-                    true => (child.count(), (child.block() * self.block) as u32),
-                    false => (0, child.index() as u32),
-                };
-                out.u32(count)?;
-                out.u32(first)?;
-            }
-        }
-        Ok(())
+        out.list(&self.nodes, Node::stored_words)
     }
 
     fn read(
@@ -42,10 +32,12 @@ impl Portable for Bvh8 {
         if (count == 0 && primitives.count() > 0) || count as usize >= Child::LIMIT {
             return Err(LoadError::invalid(format!("there are {count} nodes")));
         }
-        let read = input.list(count, |input| read_node(order, block, input))?;
-        let mut nodes = Vec::with_capacity(read.len());
-        ask_for_huge_pages(nodes.spare_capacity_mut());
-        nodes.extend(read);
+        let nodes = input.list(count, "nodes", Node::of_words)?;
+        let faults = nodes.par_iter().enumerate();
+        if let Some(what) = faults.find_map_first(|(index, node)| fault(node, index, order, block))
+        {
+            return Err(LoadError::invalid(what));
+        }
         let mut family = Nodes::new(nodes.len());
         for (index, node) in nodes.iter().enumerate() {
             for (_, child) in node.present().filter(|(_, child)| !child.is_leaf()) {
@@ -56,38 +48,27 @@ impl Portable for Bvh8 {
         let need = stack_need(&nodes);
         Ok(Self { nodes, block, need, paths: None })
     }
-}
 
-fn read_node(order: &[u32], block: usize, input: &mut Decoder<'_>) -> Result<Node, LoadError> {
-    let children = input.u32()? as usize;
-    if !(1..=WIDTH).contains(&children) {
-        return Err(LoadError::invalid(format!("a node has {children} children")));
-    }
-    let mut node = Node::EMPTY;
-    for lane in 0..children {
-        let bounds = input.aabb()?;
-        let (count, first) = (input.u32()? as usize, input.u32()? as usize);
-        let child = if count == 0 { inner(first) } else { leaf(first, count, order, block) };
-        node.set(lane, child?, &bounds);
-    }
-    node.sort();
-    Ok(node)
-}
-
-fn inner(index: usize) -> Result<Child, LoadError> {
-    match index < Child::LIMIT {
-        true => Ok(Child::node(index)),
-        false => Err(LoadError::invalid(format!("there is no node {index}"))),
+    fn is_plainly_sound(&self, primitives: &impl Bounded, order: &[u32]) -> bool {
+        is_plainly_sound(&self.nodes, self.block, primitives, order)
     }
 }
 
-/// A leaf begins with a block, and its primitives stand in ascending order: see
-/// [`Layout::leaf`](super::collapse).
-fn leaf(first: usize, count: usize, order: &[u32], block: usize) -> Result<Child, LoadError> {
-    let slots = first.checked_add(count).and_then(|end| order.get(first..end));
-    let fits = count <= WIDTH && first.is_multiple_of(block) && first / block < Child::LIMIT;
-    match slots.is_some_and(<[u32]>::is_sorted) && fits {
-        true => Ok(Child::leaf(first / block, count)),
-        false => Err(LoadError::invalid(format!("slot {first} begins no leaf of {count}"))),
+/// What is wrong with a node, as far as it is seen without the others.
+fn fault(node: &Node, index: usize, order: &[u32], block: usize) -> Option<String> {
+    let count = node.present().count();
+    let are_first = node.present().all(|(lane, _)| lane < count);
+    if count == 0 || !are_first {
+        return Some(format!("node {index} has no children, or others behind none"));
     }
+    node.present().find_map(|(_, child)| {
+        let (first, count) = (child.block() * block, child.count() as usize);
+        // The primitives of a leaf stand in ascending order: see `Layout::leaf` in `collapse.rs`.
+        let is_leaf_of = |slots: &[u32]| slots.is_sorted() && slots.last() != Some(&NONE);
+        let is_right = match child.is_leaf() {
+            true => order.get(first..first + count).is_some_and(is_leaf_of) && count <= WIDTH,
+            false => child.index() < Child::LIMIT,
+        };
+        (!is_right).then(|| format!("a child of node {index} is no leaf of slots, and no node"))
+    })
 }

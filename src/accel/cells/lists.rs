@@ -55,6 +55,11 @@ impl CellLists {
         ControlFlow::Continue(())
     }
 
+    /// The slots of a list.
+    pub(in super::super) fn slots(&self, list: Range<u32>) -> impl Iterator<Item = u32> {
+        list.map(|place| self.ids.as_ref().map_or(place, |ids| ids[place as usize]))
+    }
+
     /// Whether lists are ranges of slots.
     pub(in super::super) fn are_slots(&self) -> bool {
         self.ids.is_none()

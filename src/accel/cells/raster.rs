@@ -103,6 +103,12 @@ impl Raster {
         Self(self.0.map(fewer))
     }
 
+    /// The box that is parted.
+    pub(in super::super) fn bounds(&self) -> Aabb {
+        let [x, y, z] = self.0;
+        Aabb { min: Vec3A::new(x.low, y.low, z.low), max: Vec3A::new(x.high, y.high, z.high) }
+    }
+
     /// How many cells there are.
     pub(in super::super) fn count(&self) -> usize {
         self.0.iter().map(|axis| axis.cells as usize).product()

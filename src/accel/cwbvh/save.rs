@@ -2,6 +2,7 @@
 
 use std::io;
 
+use glam::Vec3;
 use obvhs::cwbvh::node::CwBvhNode;
 
 use crate::accel::save::Nodes;
@@ -24,19 +25,7 @@ impl Portable for CompressedWideBvh {
 
     fn write(&self, out: &mut Encoder<'_>) -> io::Result<()> {
         out.u32(self.nodes.len() as u32)?;
-        for node in &self.nodes {
-            out.vec3(node.p)?;
-            out.bytes(&node.e)?;
-            out.bytes(&[node.imask])?;
-            out.u32(node.child_base_idx)?;
-            out.u32(node.primitive_base_idx)?;
-            out.bytes(&node.child_meta)?;
-            for (min, max) in planes(node) {
-                out.bytes(min)?;
-                out.bytes(max)?;
-            }
-        }
-        Ok(())
+        out.list(&self.nodes, to_words)
     }
 
     fn read(
@@ -48,8 +37,7 @@ impl Portable for CompressedWideBvh {
         if count == 0 && primitives.count() > 0 {
             return Err(LoadError::invalid("there are primitives, and no nodes"));
         }
-        let mut nodes = input.list(count, read_node)?;
-        nodes.shrink_to_fit();
+        let nodes = input.list(count, "nodes", of_words)?;
         let mut family = Nodes::new(nodes.len());
         for (index, node) in nodes.iter().enumerate() {
             check_node(node, index, order, &mut family)?;
@@ -59,30 +47,51 @@ impl Portable for CompressedWideBvh {
     }
 }
 
-/// The planes of the children's boxes, low and high, axis by axis.
-fn planes(node: &CwBvhNode) -> [(&[u8; WIDTH], &[u8; WIDTH]); 3] {
-    [
-        (&node.child_min_x, &node.child_max_x),
-        (&node.child_min_y, &node.child_max_y),
-        (&node.child_min_z, &node.child_max_z),
-    ]
+/// The fields of a node, in their order.
+fn to_words(node: &CwBvhNode) -> [u32; 20] {
+    let [x, y, z] = node.p.to_array().map(f32::to_bits);
+    let [e0, e1, e2] = node.e;
+    let bytes = [
+        &node.child_meta,
+        &node.child_min_x,
+        &node.child_max_x,
+        &node.child_min_y,
+        &node.child_max_y,
+        &node.child_min_z,
+        &node.child_max_z,
+    ];
+    let mut words = [0; 20];
+    let grid = u32::from_le_bytes([e0, e1, e2, node.imask]);
+    words[..6].copy_from_slice(&[x, y, z, grid, node.child_base_idx, node.primitive_base_idx]);
+    for (words, bytes) in words[6..].chunks_exact_mut(2).zip(bytes) {
+        for (word, bytes) in words.iter_mut().zip(bytes.as_chunks().0) {
+            *word = u32::from_le_bytes(*bytes);
+        }
+    }
+    words
 }
 
-fn read_node(input: &mut Decoder<'_>) -> Result<CwBvhNode, LoadError> {
-    Ok(CwBvhNode {
-        p: input.vec3()?,
-        e: input.array()?,
-        imask: u8::from_le_bytes(input.array()?),
-        child_base_idx: input.u32()?,
-        primitive_base_idx: input.u32()?,
-        child_meta: input.array()?,
-        child_min_x: input.array()?,
-        child_max_x: input.array()?,
-        child_min_y: input.array()?,
-        child_max_y: input.array()?,
-        child_min_z: input.array()?,
-        child_max_z: input.array()?,
-    })
+fn of_words(words: [u32; 20]) -> CwBvhNode {
+    let bytes = |field: usize| {
+        let of = |word: usize| words[6 + 2 * field + word].to_le_bytes();
+        let ([a, b, c, d], [e, f, g, h]) = (of(0), of(1));
+        [a, b, c, d, e, f, g, h]
+    };
+    let [e0, e1, e2, imask] = words[3].to_le_bytes();
+    CwBvhNode {
+        p: Vec3::from_array([words[0], words[1], words[2]].map(f32::from_bits)),
+        e: [e0, e1, e2],
+        imask,
+        child_base_idx: words[4],
+        primitive_base_idx: words[5],
+        child_meta: bytes(0),
+        child_min_x: bytes(1),
+        child_max_x: bytes(2),
+        child_min_y: bytes(3),
+        child_max_y: bytes(4),
+        child_min_z: bytes(5),
+        child_max_z: bytes(6),
+    }
 }
 
 /// Checks that the children's meta data are such, and that their slots and nodes exist.

@@ -31,7 +31,7 @@ use crate::math::{Aabb, BoxRay, Ray};
 use self::cut::{Cut, Limits};
 use super::build::boxes_of;
 use super::cells::{CellLists, ListBuilder, Mailbox, PlaneRay, references_option};
-use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, StructureShape, Tree};
+use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, Regions, StructureShape, Tree};
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
 const USUAL_DEPTH: usize = 32;
@@ -153,6 +153,11 @@ impl Accel for KdTree {
 
     fn tree(&self) -> Option<Tree> {
         self.lists.are_slots().then(|| self.cells())?
+    }
+
+    fn regions(&self) -> Regions {
+        let cells = self.cells().unwrap_or_default();
+        Regions::of_tree_with(&cells, |list| self.lists.slots(list))
     }
 
     fn shape(&self) -> StructureShape {

@@ -1,5 +1,8 @@
 //! What makes a tree that was read one that returns the right hits.
 
+use rayon::prelude::*;
+
+use crate::accel::refit::{Below, FitNode};
 use crate::accel::{Bounded, Tree};
 use crate::math::{Aabb, NONE};
 
@@ -38,6 +41,42 @@ pub(super) fn tree(
         true => Ok(()),
         false => Err(LoadError::invalid("a primitive is in no leaf")),
     }
+}
+
+/// Whether [`tree`] would find nothing, seen node by node: each leaf's box encloses its primitives,
+/// and that of an inner child the boxes of all its own children. Of trees that were built this is so.
+pub(in crate::accel) fn is_plainly_sound<N: FitNode>(
+    nodes: &[N],
+    block: usize,
+    primitives: &impl Bounded,
+    order: &[u32],
+) -> bool {
+    let enclose = || {
+        nodes.par_iter().all(|node| {
+            (0..N::WIDTH).all(|lane| {
+                let around = match node.below(lane, block) {
+                    None => return true,
+                    Some(Below::Node(index)) => nodes[index].bounds(),
+                    Some(Below::Slots(slots)) => {
+                        slots.map(|slot| primitives.bounds(slot)).fold(Aabb::EMPTY, Aabb::union)
+                    }
+                };
+                encloses(&node.child_bounds(lane), &around, 0.0)
+            })
+        })
+    };
+    let hold_each_once = || {
+        let mut slots = Slots { order, offered: vec![false; order.len()], count: 0 };
+        let below = nodes.iter().flat_map(|node| {
+            (0..N::WIDTH).filter_map(|lane| match node.below(lane, block) {
+                Some(Below::Slots(range)) => Some(range),
+                _ => None,
+            })
+        });
+        below.flatten().all(|slot| slots.offer(slot).is_ok()) && slots.count == primitives.count()
+    };
+    let (sound, whole) = rayon::join(enclose, hold_each_once);
+    sound && whole
 }
 
 /// False where anything is NaN or infinite.

@@ -16,7 +16,7 @@ pub enum LoadError {
     #[error("this is not a saved structure")]
     NotSaved,
     /// They are of another version of the format.
-    #[error("a saved structure has version {version} of the format, and only 2 can be read")]
+    #[error("a saved structure has version {version} of the format, and only 3 can be read")]
     Version {
         /// Which.
         version: u32,
@@ -32,8 +32,11 @@ pub enum LoadError {
         expected: &'static str,
     },
     /// The checksum is that of other bytes.
-    #[error("a saved structure was damaged: its checksum is wrong")]
-    Damaged,
+    #[error("a saved structure was damaged: the checksum of its {what} is wrong")]
+    Damaged {
+        /// Of what: `nodes`, for example.
+        what: &'static str,
+    },
     /// They describe primitives that cannot be traced, or no structure over them.
     #[error("a saved structure is not valid: {what}")]
     Invalid {

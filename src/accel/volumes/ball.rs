@@ -16,6 +16,7 @@ use rayon::prelude::*;
 
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
+use super::super::RegionForm;
 use super::super::sphere_ray::SphereRay;
 use super::Volume;
 
@@ -50,6 +51,10 @@ impl Volume for Ball {
         let radius = exact as f32;
         let radius = if f64::from(radius) < exact { radius.next_up() } else { radius };
         Self { center, radius }
+    }
+
+    fn form(&self) -> RegionForm {
+        RegionForm::Ball { center: self.center, radius: self.radius }
     }
 
     #[inline(always)]

@@ -1,15 +1,16 @@
 //! Bounding polytopes between parallel planes of fixed directions: k-DOPs, here of k = 14.
 //!
-//! * *Idea*: A box is what lies between three pairs of planes. Four more pairs, across the diagonals of space, cut off its
-//!   corners: parts that lie aslant are held more closely.
-//! * *Paper*: Kay, Kajiya: *Ray Tracing Complex Scenes*, 1986, whose "plane sets" have seven directions as here; the name is
-//!   of Klosowski, Held, Mitchell, Sowizral, Zikan: *Efficient Collision Detection Using Bounding Volume Hierarchies of
-//!   k-DOPs*, 1998.
+//! * *Idea*: A box is what lies between three pairs of planes. Four more pairs, across the diagonals of space, cut off
+//!   its corners: parts that lie aslant are held more closely.
+//! * *Paper*: Kay, Kajiya: *Ray Tracing Complex Scenes*, 1986, whose "plane sets" have seven directions as here; the
+//!   name is of Klosowski, Held, Mitchell, Sowizral, Zikan: *Efficient Collision Detection Using Bounding Volume
+//!   Hierarchies of k-DOPs*, 1998.
 //! * *Build*: that of the binary tree (`builder=`), and O(n · depth) for the planes.
 //! * *A ray*: O(log n) nodes in the mean, two polytopes each: that of a box, and where it is met four more divisions'
 //!   worth.
 //! * *Memory*: 128 bytes a node, four times that of boxes.
-//! * *It wins*: in the number of nodes that are visited, where what lies aslant is large beside its parts; seldom in time.
+//! * *It wins*: in the number of nodes that are visited, where what lies aslant is large beside its parts; seldom in
+//!   time.
 //!
 //! Along an axis the padded test of boxes serves. Along a diagonal, a point that a padded box accepts is at most 1.1
 //! paddings outside of it on each axis, hence 3.3 along `(±1, ±1, ±1)`; four are allowed for, and the rounding of `f64`
@@ -20,6 +21,7 @@ use rayon::prelude::*;
 
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
+use super::super::RegionForm;
 use super::super::sphere_ray::skips_nothing;
 use super::Volume;
 
@@ -35,7 +37,7 @@ const DIAGONALS: [DVec3; 4] = [
 const MORE: f64 = 4.0;
 
 /// A polytope of fourteen sides.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct KDop {
     /// Where the sides along the axes are.
     low: [f32; 3],
@@ -55,6 +57,88 @@ pub struct KDopRay {
     speed: [f64; 4],
     /// How many diagonals are looked at: none where parameters are too coarse for them.
     diagonals: usize,
+}
+
+impl KDop {
+    /// How many sides there are.
+    pub const SIDES: usize = 14;
+
+    /// The box between the sides along the axes.
+    #[must_use]
+    pub fn bounds(&self) -> Aabb {
+        Aabb { min: self.low.into(), max: self.high.into() }
+    }
+
+    /// For each side a direction out of it and the product of its points with that: six along the axes, eight along the
+    /// diagonals.
+    #[must_use]
+    pub fn sides(&self) -> [(DVec3, f64); Self::SIDES] {
+        let pair =
+            |out: DVec3, least: f32, most: f32| [(-out, -f64::from(least)), (out, f64::from(most))];
+        std::array::from_fn(|side| {
+            let (i, which) = (side / 2, side % 2);
+            match i.checked_sub(3) {
+                None => pair(DVec3::AXES[i], self.low[i], self.high[i])[which],
+                Some(i) => pair(DIAGONALS[i], self.least[i], self.most[i])[which],
+            }
+        })
+    }
+
+    /// Where the ray from an origin in a direction enters, and through which of the [`sides`](Self::sides); `None` if
+    /// it misses, or nothing is before it.
+    #[must_use]
+    pub fn entered_from(&self, origin: DVec3, dir: DVec3) -> Option<(f64, usize)> {
+        let (mut begin, mut through, mut end) = (f64::NEG_INFINITY, 0, f64::INFINITY);
+        for (side, (out, at)) in self.sides().into_iter().enumerate() {
+            let (ahead, speed) = (at - out.dot(origin), out.dot(dir));
+            if speed < 0.0 && ahead / speed > begin {
+                (begin, through) = (ahead / speed, side);
+            } else if speed > 0.0 {
+                end = end.min(ahead / speed);
+            } else if speed == 0.0 && ahead < 0.0 {
+                return None;
+            }
+        }
+        (begin <= end && begin.is_finite()).then_some((begin, through))
+    }
+
+    /// Both ends of each edge.
+    #[must_use]
+    pub fn edges(&self) -> Vec<[DVec3; 2]> {
+        let sides = self.sides();
+        let size = self.bounds().size().max_element().max(f32::MIN_POSITIVE);
+        let tolerance = 1e-7 * f64::from(size);
+        let mut edges = Vec::new();
+        for (i, &(n, a)) in sides.iter().enumerate() {
+            for (j, &(m, b)) in sides.iter().enumerate().skip(i + 1) {
+                let along = n.cross(m);
+                if along == DVec3::ZERO {
+                    continue;
+                }
+                // On both planes, and in the plane of their normals.
+                let (nn, mm, nm) = (n.length_squared(), m.length_squared(), n.dot(m));
+                let point = (n * (a * mm - b * nm) + m * (b * nn - a * nm)) / (nn * mm - nm * nm);
+                let (mut begin, mut end) = (f64::NEG_INFINITY, f64::INFINITY);
+                for (k, &(out, at)) in sides.iter().enumerate() {
+                    if k == i || k == j {
+                        continue;
+                    }
+                    let (ahead, speed) = (at - out.dot(point), out.dot(along));
+                    if speed < 0.0 {
+                        begin = begin.max(ahead / speed);
+                    } else if speed > 0.0 {
+                        end = end.min(ahead / speed);
+                    } else if ahead < -tolerance {
+                        end = f64::NEG_INFINITY;
+                    }
+                }
+                if (end - begin) * along.length() > tolerance {
+                    edges.push([point + begin * along, point + end * along]);
+                }
+            }
+        }
+        edges
+    }
 }
 
 /// The least and the largest product of a box's corners with each diagonal.
@@ -114,13 +198,15 @@ impl Volume for KDop {
         }
     }
 
+    fn form(&self) -> RegionForm {
+        RegionForm::Polytope(*self)
+    }
+
     #[inline]
     fn entered(&self, ray: &KDopRay, end: f32) -> Option<f64> {
-        let aabb = Aabb { min: self.low.into(), max: self.high.into() };
-        let (near, far) = ray.box_ray.interval(&aabb);
+        let (near, far) = ray.box_ray.interval(&self.bounds());
         let (begin, leave) = (near.max(ray.t_min), far.min(end));
-        // Also where it is no number.
-        if !(begin <= leave) {
+        if begin > leave {
             return None;
         }
         let (mut begin, mut leave) = (f64::from(begin), f64::from(leave));
@@ -164,6 +250,44 @@ mod tests {
     #[test]
     fn what_the_padded_box_accepts_the_polytope_accepts() {
         assert_what_the_box_accepts_the_volume_accepts::<KDop>();
+    }
+
+    /// The polytope of one box, cut by a plane across a corner.
+    fn cut_cube() -> KDop {
+        let cube = Aabb { min: Vec3A::ZERO, max: Vec3A::splat(2.0) };
+        let mut kdop = KDop::around(&cube, &[cube], &[0]);
+        kdop.most[0] = 5.0;
+        kdop
+    }
+
+    #[test]
+    fn a_cube_with_a_corner_cut_off_has_three_more_edges() {
+        let cube = Aabb { min: Vec3A::ZERO, max: Vec3A::splat(2.0) };
+        let length = |kdop: &KDop| {
+            let edges = kdop.edges();
+            (edges.len(), edges.iter().map(|[a, b]| a.distance(*b)).sum::<f64>())
+        };
+        let (count, total) = length(&KDop::around(&cube, &[cube], &[0]));
+        assert!(count == 12 && (total - 24.0).abs() < 1e-6, "{count} {total}");
+        // Each of three edges loses 1, and three of the length of a face's diagonal come.
+        let (count, total) = length(&cut_cube());
+        let expected = 24.0 - 3.0 + 3.0 * 2.0f64.sqrt();
+        assert!(count == 15 && (total - expected).abs() < 1e-6, "{count} {total}");
+    }
+
+    #[test]
+    fn a_ray_enters_through_the_side_that_it_comes_to_last() {
+        let kdop = cut_cube();
+        let towards = DVec3::splat(-1.0);
+        let (t, side) = kdop.entered_from(DVec3::splat(3.0), towards).expect("met");
+        assert!((t - (3.0 - 5.0 / 3.0)).abs() < 1e-9 && side == 7, "{t} {side}");
+        let (t, side) = kdop.entered_from(DVec3::new(0.5, 0.5, 4.0), DVec3::NEG_Z).expect("met");
+        assert_eq!((t, side), (2.0, 5));
+        assert_eq!(kdop.entered_from(DVec3::new(1.9, 1.9, 4.0), DVec3::X), None);
+        let (near, far) = (DVec3::new(1.9, 1.9, 4.0), DVec3::new(3.0, 1.0, 1.0));
+        let (t, _) = kdop.entered_from(near, DVec3::NEG_Z).expect("met");
+        assert!((t - 2.8).abs() < 1e-6, "{t}");
+        assert_eq!(kdop.entered_from(far, DVec3::Y), None);
     }
 
     #[test]

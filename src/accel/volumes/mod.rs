@@ -2,10 +2,10 @@
 //! (`kdop.rs`).
 //!
 //! The tree is that of any builder over boxes. Each node then gets a volume that encloses the corners of the *boxes* of
-//! the primitives below, and that is tested with the padding: what a primitive's own box accepts is never skipped, so hits
-//! are those of all other structures. Goldsmith, Salmon: *Automatic Creation of Object Hierarchies for Ray Tracing*,
-//! 1987, and Weghorst, Hooper, Greenberg: *Improved Computational Methods for Ray Tracing*, 1984, weigh what a form costs
-//! against what it keeps away.
+//! the primitives below, and that is tested with the padding: what a primitive's own box accepts is never skipped, so
+//! hits are those of all other structures. Goldsmith, Salmon: *Automatic Creation of Object Hierarchies for Ray
+//! Tracing*, 1987, and Weghorst, Hooper, Greenberg: *Improved Computational Methods for Ray Tracing*, 1984, weigh what
+//! a form costs against what it keeps away.
 
 mod ball;
 mod kdop;
@@ -21,7 +21,7 @@ use crate::math::{Aabb, BoxRay, NONE, Ray};
 
 use super::build::boxes_of;
 use super::builder::{Builder, TreeChoice};
-use super::{Accel, Bounded, Build, Built, OptionInfo, Order, StructureShape};
+use super::{Accel, Bounded, Build, Built, OptionInfo, Order, RegionForm, Regions, StructureShape};
 
 pub use ball::Ball;
 pub use kdop::KDop;
@@ -37,9 +37,12 @@ pub trait Volume: Clone + Copy + Default + Send + Sync + 'static {
     /// A ray; the box ray has the padding.
     fn ray(ray: &Ray, box_ray: &BoxRay) -> Self::Ray;
 
-    /// The volume about the middle of a node's box, which holds all corners of some of the primitives' boxes. Indices that
-    /// are [`NONE`] stand for nothing.
+    /// The volume about the middle of a node's box, which holds all corners of some of the primitives' boxes. Indices
+    /// that are [`NONE`] stand for nothing.
     fn around(bounds: &Aabb, boxes: &[Aabb], some: &[u32]) -> Self;
+
+    /// What it looks like in pictures.
+    fn form(&self) -> RegionForm;
 
     /// Where a ray enters the volume, if it meets that between its own begin and an end, both included. It must be met
     /// by every ray that meets, between the same, the padded box of a primitive inside.
@@ -138,6 +141,21 @@ impl<V: Volume> Accel for VolumeTree<V> {
         (size_of::<Self>() + size_of_val(&self.nodes[..])) as u64
     }
 
+    fn regions(&self) -> Regions {
+        let mut regions = Regions::default();
+        let mut open: Vec<(Child<V>, u32)> = self.root.iter().map(|&root| (root, 0)).collect();
+        while let Some((Child { volume, first, count }, level)) = open.pop() {
+            let form = volume.form();
+            if count > 0 {
+                regions.push_leaf(form, level, first..first + count);
+                continue;
+            }
+            regions.push_inner(form, level);
+            open.extend(self.nodes[first as usize].iter().rev().map(|&child| (child, level + 1)));
+        }
+        regions
+    }
+
     /// There is no [`Tree`](super::Tree), which is one of boxes.
     fn shape(&self) -> StructureShape {
         let nodes = self.nodes.len() as u64;
@@ -211,7 +229,8 @@ pub(super) mod tests {
     use super::*;
     use crate::math::Random;
 
-    /// Builds a tree over small boxes and asks, for every leaf and each of its boxes, whether all volumes above hold it.
+    /// Builds a tree over small boxes and asks, for every leaf and each of its boxes, whether all volumes above hold
+    /// it.
     pub(in super::super) fn assert_volumes_hold_what_is_below<V: Volume>(
         holds: impl Fn(&V, &Aabb) -> bool,
     ) {

@@ -1,9 +1,14 @@
-//! Fractal noise over the plane: the same on every platform.
+//! Fractal noise over the plane and in space: the same on every platform.
+
+use glam::DVec3;
 
 use crate::math::hash_u64;
 
 /// Octaves of noise; the last has features of 1/2⁹ of the first.
 const OCTAVES: u64 = 10;
+
+/// Octaves of noise in space.
+const OCTAVES_IN_SPACE: u64 = 4;
 
 /// The sum of octaves of value noise, each of half the amplitude and half the size of the one
 /// before; within (−1, 1), with features of size 1 and less.
@@ -18,6 +23,30 @@ pub(super) fn fractal(seed: u64, x: f64, y: f64) -> f64 {
         amplitude *= 0.5;
     }
     sum
+}
+
+/// The same in space, of fewer octaves, each turned against the one before about a diagonal.
+pub(super) fn fractal_in_space(seed: u64, mut point: DVec3) -> f64 {
+    let (mut amplitude, mut sum) = (0.5, 0.0);
+    for octave in 0..OCTAVES_IN_SPACE {
+        sum += amplitude * value_noise_in_space(hash_u64(seed ^ hash_u64(octave)), point);
+        let DVec3 { x, y, z } = point;
+        // Twice a rotation whose entries are thirds of whole numbers.
+        point = DVec3::new(2.0 * x - y + 2.0 * z, 2.0 * x + 2.0 * y - z, 2.0 * y + 2.0 * z - x);
+        point *= 2.0 / 3.0;
+        amplitude *= 0.5;
+    }
+    sum
+}
+
+/// Random values at the points of a lattice in space, within [−1, 1), and smooth between them.
+fn value_noise_in_space(key: u64, point: DVec3) -> f64 {
+    let level = point.z.floor();
+    let slice = |level: f64| {
+        let key = hash_u64(key.wrapping_add(hash_u64(level as i64 as u64)));
+        value_noise(key, point.x, point.y)
+    };
+    mix(slice(level), slice(level + 1.0), fade(point.z - level))
 }
 
 /// Random values at the points of a lattice, within [−1, 1), and smooth between them.
@@ -59,5 +88,11 @@ mod tests {
         }
         assert!((0.2..1.0).contains(&largest));
         assert_ne!(fractal(1, 0.3, 0.4), fractal(2, 0.3, 0.4));
+        let in_space = |x: f64| fractal_in_space(1, DVec3::new(0.4, x, 0.7 * x));
+        for i in 0..2000 {
+            let x = f64::from(i) * 0.0123 - 10.0;
+            assert!((in_space(x + 1e-9) - in_space(x)).abs() < 1e-6);
+            assert!(in_space(x).abs() < 1.0);
+        }
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use super::{MAX_TRIANGLES, MeshKind};
+use super::{MAX_TRIANGLES, MeshKind, read_count};
 
 const PREFIX: &str = "generate:";
 
@@ -90,7 +90,15 @@ impl Recipe {
         let of_triangle = match self.kind {
             // None of its triangles share vertices.
             MeshKind::Soup => 72,
-            MeshKind::Icosphere | MeshKind::TorusKnot | MeshKind::Terrain | MeshKind::Hall => 38,
+            // Few do.
+            MeshKind::Hair => 50,
+            MeshKind::Icosphere
+            | MeshKind::TorusKnot
+            | MeshKind::Terrain
+            | MeshKind::Hall
+            | MeshKind::Scan
+            | MeshKind::Stadium
+            | MeshKind::Box => 38,
         };
         of_triangle * u64::from(self.triangles)
     }
@@ -118,26 +126,6 @@ impl Recipe {
     }
 }
 
-/// Reads a number of triangles: digits alone, or with `k` or `M` behind them for thousands or
-/// millions. Too large ones saturate, so that a check of the range still refuses them.
-///
-/// ```
-/// use srt::assets::generate::read_count;
-///
-/// assert_eq!(["70000", "70k", "1M"].map(read_count), [Some(70_000), Some(70_000), Some(1_000_000)]);
-/// assert_eq!(["", "k", "-5", "1.5k"].map(read_count), [None; 4]);
-/// ```
-#[must_use]
-pub fn read_count(text: &str) -> Option<u32> {
-    let (digits, unit) = match text.strip_suffix(['k', 'K']) {
-        Some(digits) => (digits, 1_000),
-        None => text.strip_suffix(['m', 'M']).map_or((text, 1), |digits| (digits, 1_000_000)),
-    };
-    // Rust's own parser would also take `+3`.
-    let fine = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
-    fine.then(|| digits.parse().unwrap_or(u32::MAX).saturating_mul(unit))
-}
-
 fn kinds() -> String {
     MeshKind::ALL.map(MeshKind::name).join(", ")
 }
@@ -162,7 +150,7 @@ mod tests {
             let error = Recipe::parse(name).unwrap().unwrap_err();
             (error.to_string(), error.help())
         };
-        let kinds = "icosphere, torus-knot, terrain, hall, soup";
+        let kinds = "icosphere, torus-knot, terrain, hall, soup, scan, stadium, hair, box";
         assert_eq!(
             error("generate:icospere:100"),
             (
@@ -170,7 +158,7 @@ mod tests {
                 format!("did you mean `icosphere`? The kinds are {kinds}")
             )
         );
-        assert_eq!(error("generate:cow:100").1, format!("the kinds are {kinds}"));
+        assert_eq!(error("generate:elephant:100").1, format!("the kinds are {kinds}"));
         for bad in ["0", "-1", "1e6", "", "100000001", "99999999999"] {
             assert_eq!(
                 error(&format!("generate:hall:{bad}")),

@@ -58,7 +58,8 @@ fn the_number_of_triangles_is_about_the_requested_one() {
             let got = generate(kind, count, 0).triangles.len() as f64;
             let miss = (got / f64::from(count) - 1.0).abs();
             let allowed = match kind {
-                MeshKind::Icosphere => (20.0 / f64::from(count)).sqrt() * 1.05,
+                MeshKind::Icosphere | MeshKind::Scan => (20.0 / f64::from(count)).sqrt() * 1.05,
+                MeshKind::Box => (12.0 / f64::from(count)).sqrt() * 1.05,
                 MeshKind::Soup => 0.0,
                 _ => 0.03,
             };
@@ -72,7 +73,8 @@ fn the_same_numbers_give_the_same_mesh_and_seeds_others() {
     for kind in MeshKind::ALL {
         assert_eq!(generate(kind, 5000, 7), generate(kind, 5000, 7));
         let seeded = generate(kind, 5000, 8) != generate(kind, 5000, 7);
-        assert_eq!(seeded, matches!(kind, MeshKind::Terrain | MeshKind::Soup), "{kind}");
+        use MeshKind::{Hair, Scan, Soup, Terrain};
+        assert_eq!(seeded, matches!(kind, Terrain | Soup | Scan | Hair), "{kind}");
     }
 }
 
@@ -148,4 +150,59 @@ fn soup_shrinks_with_its_number() {
     let mean_area = |n: u32| area(&generate(MeshKind::Soup, n, 1)) / f64::from(n);
     let ratio = mean_area(1000) / mean_area(64_000);
     assert!((ratio / 16.0 - 1.0).abs() < 0.1, "64 times as many, a 16th of the area: {ratio}");
+}
+
+#[test]
+fn the_scan_is_closed_and_furrowed() {
+    for seed in [0, 4] {
+        let coral = generate(MeshKind::Scan, 20_000, seed);
+        assert_eq!(euler_characteristic(&coral), 2);
+        assert!(is_closed(&coral));
+        let radii = || coral.positions.iter().map(|p| p.length());
+        let (low, high) = (radii().fold(1.0, f32::min), radii().fold(0.0, f32::max));
+        assert!(low > 0.5 && high <= 1.0 && high - low > 0.1, "from {low} to {high}");
+    }
+}
+
+#[test]
+fn the_teapot_is_fine_and_the_stadium_coarse() {
+    for triangles in [5_000, 100_000, 1_000_000] {
+        let stadium = generate(MeshKind::Stadium, triangles, 0);
+        let is_of_teapot = |t: &&[u32; 3]| {
+            t.iter().all(|&i| stadium.positions[i as usize].truncate().length() < 0.011)
+        };
+        let fine = stadium.triangles.iter().filter(is_of_teapot).count();
+        assert!(8 * fine > 6 * stadium.triangles.len(), "{fine} of {triangles}");
+        assert!(stadium.triangles.len() - fine < 6_200, "the stands stay coarse");
+        let bounds = stadium.bounds();
+        assert_eq!((bounds.min.x, bounds.max.y, bounds.min.z), (-1.0, 0.75, 0.0));
+        assert!(bounds.max.z > 0.2 && bounds.max.z <= 0.25);
+    }
+}
+
+#[test]
+fn strands_are_long_and_thin() {
+    let hair = generate(MeshKind::Hair, 160_000, 1);
+    assert_eq!(hair.triangles.len(), 160_000);
+    let slenderness = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|i| hair.positions[i as usize].as_dvec3());
+        let longest = (b - a).length().max((c - b).length()).max((a - c).length());
+        longest * longest / (b - a).cross(c - a).length()
+    };
+    let mut all: Vec<f64> = hair.triangles.iter().map(slenderness).collect();
+    all.sort_by(f64::total_cmp);
+    assert!(all[all.len() / 2] > 10.0, "{}", all[all.len() / 2]);
+    // Strands share no vertices with each other, and the squares of one share theirs.
+    assert_eq!(hair.positions.len(), 10_000 * 18);
+}
+
+#[test]
+fn the_box_is_the_cube() {
+    let block = generate(MeshKind::Box, 12 * 25, 0);
+    assert_eq!((block.triangles.len(), block.positions.len()), (300, 6 * 36));
+    assert!((area(&block) - 24.0).abs() < 1e-6);
+    for (triangle, normals) in block.triangles.iter().zip(&block.normal_indices) {
+        let out = triangle.iter().map(|&i| block.positions[i as usize]).sum::<Vec3>();
+        assert!(normals.iter().all(|&n| block.normals[n as usize].dot(out) > 0.0), "outwards");
+    }
 }

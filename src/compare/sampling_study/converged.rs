@@ -6,11 +6,11 @@
 
 use glam::DVec3;
 
-use crate::accel::Tracer;
 use crate::image_io::Picture;
 use crate::math::hash_u64;
 use crate::record::ConvergedPicture;
 use crate::render::{Sampling, Settings};
+use crate::scene::TracedWorld;
 
 use crate::compare::budget::Budget;
 use crate::compare::context::SceneContext;
@@ -48,7 +48,7 @@ impl Converged {
 /// renderings.
 pub(super) fn render(
     context: &SceneContext<'_>,
-    tracer: &dyn Tracer,
+    tracer: &dyn TracedWorld,
     frame: &Settings,
     budget: Budget,
 ) -> Option<Converged> {

@@ -4,10 +4,9 @@ use std::time::Duration;
 
 use glam::DVec3;
 
-use crate::accel::Tracer;
 use crate::record::{FramePart, NoisePoint};
 use crate::render::{RayClass, Rendering, Sampling, Settings};
-use crate::scene::{Light, Scene};
+use crate::scene::{Light, Scene, TracedWorld};
 
 use crate::compare::budget::Budget;
 use crate::compare::clock::timed;
@@ -44,7 +43,7 @@ pub(super) struct Frames {
 /// The size of a scene's frames, by what a small one takes; `None` if it is cancelled.
 pub(super) fn settings(
     context: &SceneContext<'_>,
-    tracer: &dyn Tracer,
+    tracer: &dyn TracedWorld,
     budget: Budget,
 ) -> Option<Settings> {
     let picture = context.picture_settings();
@@ -69,7 +68,7 @@ pub(super) fn settings(
 /// Renders frames of both methods in interleaved rounds; without those that have no whole frame.
 pub(super) fn measure(
     context: &SceneContext<'_>,
-    tracer: &dyn Tracer,
+    tracer: &dyn TracedWorld,
     settings: &Settings,
     converged: &[DVec3],
     budget: Budget,
@@ -103,7 +102,7 @@ pub(super) fn measure(
 /// A whole frame on one thread.
 fn render(
     context: &SceneContext<'_>,
-    tracer: &dyn Tracer,
+    tracer: &dyn TracedWorld,
     settings: &Settings,
 ) -> Option<Rendering> {
     let work = || render_until(context.cancelled, context.scene, tracer, settings);

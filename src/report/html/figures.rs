@@ -145,14 +145,18 @@ fn rays_of(when: BreakEven) -> Option<f64> {
     }
 }
 
-/// Time of a ray against triangles, with fitted power laws.
+/// Time of a ray against size, with fitted power laws.
 pub(super) fn growth(page: &Page<'_>, sweep: &SweepFigures, class: RayClass) -> Option<Markup> {
     let curves = sweep.curves.iter().filter(|curve| curve.class == class);
+    let is_objects = sweep.unit == "objects";
+    let label = if is_objects { "objects (logarithmic)" } else { "triangles (logarithmic)" };
     XyPlot {
-        title: format!("{}: {} rays against triangles", sweep.mesh, class.name()),
-        meaning: "Time of a ray against the number of triangles. Dashed lines are power laws."
-            .to_owned(),
-        x: Ends { label: "triangles (logarithmic)", units: COUNT },
+        title: format!("{}: {} rays against {}", sweep.mesh, class.name(), sweep.unit),
+        meaning: format!(
+            "Time of a ray against the number of {}. Dashed lines are power laws.",
+            sweep.unit
+        ),
+        x: Ends { label, units: COUNT },
         y: Ends { label: "time of a ray (logarithmic)", units: TIME },
         series: curves.map(|curve| curve_series(page, curve)).collect(),
         path: Vec::new(),

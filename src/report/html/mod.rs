@@ -198,7 +198,7 @@ fn growth(page: &Page<'_>) -> Markup {
         @for (i, (sweep, figures)) in page.report.comparison.sweeps.iter().zip(&page.report.analysis.sweeps).enumerate() {
             section id=(format!("growth-{i}")) {
                 h2 { "Growth: " (sweep.mesh) }
-                p { "The same family of meshes at growing sizes. Dashed lines are power laws fitted to the medians. Their exponents are beside the names." }
+                p { "The same family of scenes at growing sizes. Dashed lines are power laws fitted to the medians. Their exponents are beside the names." }
                 @for class in figures.classes() {
                     @if let Some(plot) = figures::growth(page, figures, class) { (plot) }
                 }

@@ -26,7 +26,7 @@ fn size_table(figures: &SweepFigures, class: RayClass) -> Table {
         .chain(["#slope".to_owned()])
         .collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
-    let title = format!("{}: ns per {} ray by triangles", figures.mesh, class.name());
+    let title = format!("{}: ns per {} ray by {}", figures.mesh, class.name(), figures.unit);
     let mut table = Table::new(title, "", &heads);
     let row = |curve: &SweepCurve| {
         let at = |size: &u64| {
@@ -52,13 +52,14 @@ fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
         ),
     };
     let note = format!(
-        "The slope is the exponent of the power law fitted to time per ray against triangles: 0 is \
+        "The slope is the exponent of the power law fitted to time per ray against {}: 0 is \
          constant, 1 is linear. It is a summary over all sizes; the local slopes below show whether \
-         one power holds. {checked}"
+         one power holds. {checked}",
+        figures.unit
     );
     let mut table = Table::new("Slopes", note, &heads);
     let dropped_at = |entry: &Dropped| {
-        format!("at {} triangles: {}", numbers::count(entry.triangles), entry.reason)
+        format!("at {} {}: {}", numbers::count(entry.triangles), sweep.unit, entry.reason)
     };
     let dropped =
         |curve: &SweepCurve| sweep.dropped.iter().find(|entry| entry.structure == curve.structure);
@@ -88,7 +89,8 @@ fn slopes(figures: &SweepFigures, sweep: &Sweep) -> Table {
 }
 
 fn costs(figures: &SweepFigures) -> Table {
-    let heads = ["Class", "Structure", "#Triangles", "#ns/ray", "#Local slope", "#Rounds"];
+    let size = if figures.unit == "objects" { "#Objects" } else { "#Triangles" };
+    let heads = ["Class", "Structure", size, "#ns/ray", "#Local slope", "#Rounds"];
     let note = "The local slope is the exponent of the power law from the size before to this one.";
     let mut table = Table::new("Cost at each size", note, &heads);
     for curve in by_class(figures) {

@@ -3,10 +3,13 @@
 use glam::DAffine3;
 
 use crate::description::{Normals, Shape};
-use crate::scene_file::action::{Row, add_object};
+use crate::math::Transform;
+use crate::scatter::{ScatteredNormals, scatter};
+use crate::scene_file::action::{Row, add_object, add_scattered};
 use crate::scene_file::builder::SceneBuilder;
 use crate::scene_file::command::{SceneCommand, ValueKind, number, value};
-use crate::scene_file::precision::{holds_point, is_degenerate};
+use crate::scene_file::precision::{holds_point, holds_transform, is_degenerate};
+use crate::scene_file::repeat::make_room;
 use crate::scene_file::values::Values;
 use crate::shapes::{Ball, Cylinder, Single, Triangle};
 
@@ -73,6 +76,16 @@ pub(super) const ROWS: &[Row] = &[
         },
         action: add_object(|scene, values| mesh(scene, values, Normals::Interpolated)),
     },
+    Row {
+        command: SceneCommand {
+            keyword: "scatter",
+            values: &[value("kind:count[:seed]", ValueKind::Scatter)],
+            summary: "many objects by rule: KIND:COUNT[:SEED], KIND one of balls, mixed, knots, city",
+            example: "scatter balls:10k:1",
+            also_called: &["many", "crowd", "random"],
+        },
+        action: add_scattered(scatter_objects),
+    },
 ];
 
 /// Adds a shape in object space.
@@ -107,4 +120,54 @@ fn triangle(scene: &mut SceneBuilder, values: &Values<'_>) {
 fn mesh(scene: &mut SceneBuilder, values: &Values<'_>, normals: Normals) {
     let mesh = scene.mesh_id(values.name(), values.span_of(0, 0));
     add_transformed(scene, values, Shape::Mesh { mesh, normals });
+}
+
+/// Many objects, the material's reflectance under the tint of each.
+fn scatter_objects(scene: &mut SceneBuilder, values: &Values<'_>) {
+    let span = values.span();
+    let (Some(recipe), Some(outer)) = (values.scattered(), scene.object_transform(span.clone()))
+    else {
+        return;
+    };
+    if let Err(too_many) = make_room(scene, recipe.count, &span) {
+        scene.report(too_many);
+        return;
+    }
+    let mesh = recipe.kind.mesh().map(|(name, normals)| Shape::Mesh {
+        mesh: scene.mesh_id(name, values.span_of(0, 0)),
+        normals: match normals {
+            ScatteredNormals::Flat => Normals::Flat,
+            ScatteredNormals::Interpolated => Normals::Interpolated,
+        },
+    });
+    let reflectance = scene.material().reflectance;
+    for scattered in scatter(recipe) {
+        let placed = scattered.under(&outer);
+        let Some(shape) = placed.shape.map(Shape::Single).or(mesh) else { continue };
+        match shape {
+            Shape::Single(Single::Triangle(triangle)) => {
+                let corners = triangle.corners.map(|corner| corner.as_dvec3());
+                if !corners.iter().all(|&corner| holds_point(corner)) {
+                    scene.report_transform(span.clone(), "takes this beyond single precision");
+                    break;
+                }
+                if is_degenerate(corners) {
+                    scene.leave_out_degenerate(span.clone());
+                    continue;
+                }
+            }
+            _ if !holds_transform(&placed.transform) => {
+                scene.report_transform(span.clone(), "takes this beyond single precision");
+                break;
+            }
+            _ if Transform::new(placed.transform).is_err() => {
+                scene.report_transform(span.clone(), "is singular: it flattens the objects");
+                break;
+            }
+            _ => {}
+        }
+        scene.material().reflectance = reflectance * scattered.tint;
+        scene.add_object(shape, placed.transform, span.clone());
+    }
+    scene.material().reflectance = reflectance;
 }

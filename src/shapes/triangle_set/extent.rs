@@ -29,6 +29,17 @@ pub(super) fn bounds_of(set: &TriangleSet) -> Aabb {
     bounds.reduce(|| Aabb::EMPTY, Aabb::union).union(rest)
 }
 
+/// The box around all triangles, in whatever slots they are.
+#[cfg(feature = "program")]
+pub(super) fn bounds_of_slots(set: &TriangleSet) -> Aabb {
+    let of_pack = |pack: &super::Pack| {
+        let present = (0..PACK).filter(|&lane| pack.rows[super::PRIM][lane] != crate::math::NONE);
+        present.map(|lane| pack.triangle(lane).bounds()).fold(Aabb::EMPTY, Aabb::union)
+    };
+    let packs = set.packs.par_iter().with_min_len(CHUNK / PACK);
+    packs.map(of_pack).reduce(|| Aabb::EMPTY, Aabb::union)
+}
+
 /// The box around all triangles of whole packs.
 struct BoundsOf<'a> {
     set: &'a TriangleSet,

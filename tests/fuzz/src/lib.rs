@@ -1,5 +1,6 @@
 //! What the fuzz targets of srt share. A target is a file in `targets/`; `docs/fuzzing.md` describes them.
 
+mod checksums;
 mod csv;
 mod depth;
 mod html;
@@ -10,6 +11,7 @@ mod memory;
 mod reports;
 pub mod small_scene;
 
+pub use checksums::right_checksums;
 pub use depth::{count, is_one_of};
 pub use json::mutate as mutate_json;
 pub use lines::mutate as mutate_lines;

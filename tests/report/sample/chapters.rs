@@ -44,7 +44,13 @@ pub(super) fn sweep() -> Sweep {
         failed: false,
     };
     let dropped = vec![dropped("none"), dropped("ball")];
-    Sweep { mesh: "hall".to_owned(), points, dropped, rays_checked: 123_456 }
+    Sweep {
+        mesh: "hall".to_owned(),
+        unit: "triangles".to_owned(),
+        points,
+        dropped,
+        rays_checked: 123_456,
+    }
 }
 
 pub(super) fn sampling() -> SamplingChapter {

@@ -212,8 +212,8 @@ fn answer<P: Primitives, Q: Query>(
     }
 }
 
-/// Gives the ray of a slot, which hardly moves along an axis, terms that serve, or searches it alone and returns false if
-/// the slab test cannot take it; then the slot has none. Apart, for the sake of usual rays.
+/// Gives the ray of a slot, which hardly moves along an axis, terms that serve, or searches it alone and returns false
+/// if the slab test cannot take it; then the slot has none. Apart, for the sake of usual rays.
 #[cold]
 #[inline(never)]
 fn take_cut<S: Simd, P: Primitives, Q: Query, C: Counters>(
