@@ -44,10 +44,8 @@ fuzz_target!(|data: &[u8]| {
 /// The scene and the structure over it, or what is wrong.
 fn read(program: &Program, bytes: &[u8]) -> Result<(Scene, Box<dyn TracedWorld>), String> {
     let (mut input, size) = (bytes, bytes.len() as u64);
-    let built =
-        BuiltScene::read(program, &mut input, size).map_err(|error| error.to_string())?;
-    let scene =
-        Scene::read(built.meshes, &mut input, size).map_err(|error| error.to_string())?;
+    let built = BuiltScene::read(program, &mut input, size).map_err(|error| error.to_string())?;
+    let scene = Scene::read(built.meshes, &mut input, size).map_err(|error| error.to_string())?;
     let structure = structure_named(&built.structure).ok_or("there is no such structure")?;
     let world = structure.load(&scene, &mut input, size).map_err(|error| error.to_string())?;
     if input.is_empty() { Ok((scene, world)) } else { Err("it is longer".to_owned()) }
