@@ -162,8 +162,10 @@ impl<'a> Decoder<'a> {
         element: impl Fn([u32; N]) -> T + Sync,
     ) -> Result<Vec<T>, LoadError> {
         let mut list = Vec::new();
-        let is_there = |size| 4 * N as u64 * u64::from(length) <= size;
-        if self.size.is_some_and(is_there) {
+        if let Some(size) = self.size {
+            if 4 * N as u64 * u64::from(length) > size {
+                return Err(LoadError::Truncated);
+            }
             list.reserve_exact(length as usize);
             ask_for_huge_pages(list.spare_capacity_mut());
         }
