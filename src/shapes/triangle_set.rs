@@ -17,7 +17,6 @@ use crate::math::{
 };
 use crate::simd::{Row, Simd, ask_for_huge_pages, prefetch};
 
-use super::sheared_ray::Axes;
 use super::triangle::{flat_hit, scaled_hit};
 use super::{MeshError, Triangle, TriangleRay, TriangleRays};
 
@@ -400,15 +399,17 @@ fn load3<S: Simd>(rows: &[[u32; PACK]; ROWS], [x, y, z]: [usize; 3]) -> Lanes3<S
 impl Half<'_> {
     /// Four lanes of a corner, its axes in the order of a ray's.
     #[inline(always)]
-    fn corner(&self, number: usize, axes: Axes) -> Lanes3<Vec4> {
-        let lane = |axis, lane| self.pack.coordinate(number, axis, self.first + lane);
-        let row = |axis: usize| Vec4::from_array([0, 1, 2, 3].map(|i| lane(axis, i)));
-        axes.arrange(&[0, 1, 2]).map(row)
+    fn corner(&self, number: usize, axes: [usize; 3]) -> Lanes3<Vec4> {
+        axes.map(|axis| {
+            // 0 or 4, which the compiler sees here, so that four lanes are one load.
+            let half = &self.pack.rows[3 * number + axis][self.first & LANES..];
+            Vec4::load_bits(half.first_chunk().expect("a row has two halves"))
+        })
     }
 
     #[inline(always)]
     fn candidates(&self, ray: &Ray, of_triangles: &TriangleRay, end: f32, mask: u32) -> Candidates {
-        let axes = of_triangles.axes();
+        let axes = of_triangles.rows();
         let corners = [self.corner(0, axes), self.corner(1, axes), self.corner(2, axes)];
         let mut hits = scaled_hit(&of_triangles.splat(), corners);
         for lane in ones(hits.flat() & mask) {
