@@ -292,7 +292,7 @@ fn planes_of(left: &Aabb, right: &Aabb) -> [Vec4; 3] {
 mod tests {
     use super::*;
     use crate::accel::build::obvhs_boxes;
-    use crate::accel::builder::tests::Boxes;
+    use crate::accel::builder::Boxes;
     use crate::accel::{BuildConfig, BuildOptions, BuildStages, Quality};
     use crate::math::Random;
 

@@ -155,7 +155,7 @@ impl Grid {
 mod tests {
     use glam::Vec3A;
 
-    use super::super::builder::tests::Boxes as OnlyBoxes;
+    use super::super::builder::Boxes as OnlyBoxes;
     use super::super::{BuildConfig, BuildOptions, BuildStages};
     use super::*;
     use crate::math::Random;

@@ -195,7 +195,7 @@ impl TwoLevelGrid {
 mod tests {
     use glam::Vec3A;
 
-    use super::super::builder::tests::Boxes as OnlyBoxes;
+    use super::super::builder::Boxes as OnlyBoxes;
     use super::super::{BuildConfig, BuildStages};
     use super::*;
     use crate::math::Random;

@@ -28,8 +28,8 @@ pub struct SphereRay {
 
 /// Whether a ray is so slow, or so fast, that volumes tested in `f64` must not keep it away.
 #[inline]
-pub(super) fn skips_nothing(ray: &Ray, box_ray: &BoxRay) -> bool {
-    let (square, pad) = (ray.dir.as_dvec3().length_squared(), f64::from(box_ray.pad));
+pub(super) fn skips_nothing(dir: DVec3, pad: f64) -> bool {
+    let square = dir.length_squared();
     square < SHORTEST_DIR * SHORTEST_DIR || square * (STEP * STEP) > pad * pad
 }
 
@@ -37,14 +37,14 @@ impl SphereRay {
     #[inline]
     pub(super) fn new(ray: &Ray, box_ray: &BoxRay) -> Self {
         let dir = ray.dir.as_dvec3();
-        let (square, pad) = (dir.length_squared(), f64::from(box_ray.pad));
+        let pad = f64::from(box_ray.pad);
         Self {
             origin: ray.origin.as_dvec3(),
             dir,
-            inv_square: 1.0 / square,
+            inv_square: 1.0 / dir.length_squared(),
             more: 4.0 * pad,
             t_min: f64::from(ray.t_min),
-            skips_nothing: skips_nothing(ray, box_ray),
+            skips_nothing: skips_nothing(dir, pad),
         }
     }
 

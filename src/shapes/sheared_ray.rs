@@ -94,6 +94,17 @@ fn lanes_by_dominant_axis<L: Lanes>(dir: Lanes3<L>) -> [u32; 3] {
     [of_x, of_y, !(of_x | of_y)]
 }
 
+/// Three rows, one an axis of space, in the order of each lane, by the lanes of two dominant axes. Without a branch: of
+/// eight rays each axis is mostly that of some, so there is nothing to foresee.
+#[inline(always)]
+fn arranged<L: Lanes>(&[x, y, z]: &Lanes3<L>, [of_x, of_y]: [u32; 2]) -> Lanes3<L> {
+    [
+        y.select(of_x, z.select(of_y, x)),
+        z.select(of_x, x.select(of_y, y)),
+        x.select(of_x, y.select(of_y, z)),
+    ]
+}
+
 /// A ray, or one in each lane, its axes in the order of [`Axes`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShearedRay<L> {
@@ -168,19 +179,9 @@ impl TriangleRay {
         rays: &mut [Self; PACK],
     ) {
         let [of_x, of_y, _] = lanes_by_dominant_axis(*dir);
-        // Of eight rays each axis is mostly that of some, so there is nothing to foresee.
-        let arranged = [
-            origin[1].select(of_x, origin[2].select(of_y, origin[0])),
-            origin[2].select(of_x, origin[0].select(of_y, origin[1])),
-            origin[0].select(of_x, origin[1].select(of_y, origin[2])),
-        ];
-        let dir = [
-            dir[1].select(of_x, dir[2].select(of_y, dir[0])),
-            dir[2].select(of_x, dir[0].select(of_y, dir[1])),
-            dir[0].select(of_x, dir[1].select(of_y, dir[2])),
-        ];
-        let along = inv_dir[0].select(of_x, inv_dir[1].select(of_y, inv_dir[2]));
-        let sheared = ShearedRay::new(arranged, dir, along);
+        let [_, _, along] = arranged(inv_dir, [of_x, of_y]);
+        let (origin, dir) = (arranged(origin, [of_x, of_y]), arranged(dir, [of_x, of_y]));
+        let sheared = ShearedRay::new(origin, dir, along);
         let ShearedRay { origin: [x, y, z], slopes: [p, q], along: [a, b] } = sheared;
         let word = |dominant: usize| f32::from_bits(DOMINANT[dominant].word());
         let [by_x, by_y, by_z] = [word(0), word(1), word(2)];

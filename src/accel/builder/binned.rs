@@ -152,8 +152,8 @@ impl<'a> Part<'a> {
 #[cfg(test)]
 mod tests {
     use super::super::super::Quality;
+    use super::super::Boxes;
     use super::super::terms::Effort;
-    use super::super::tests::Boxes;
     use super::*;
     use crate::math::{Aabb, Random};
     use glam::Vec3A;

@@ -71,7 +71,7 @@ impl TreeChoice {
 #[cfg(test)]
 mod tests {
     use super::super::super::{BuildOptions, Bvh8};
-    use super::super::tests::Boxes;
+    use super::super::Boxes;
     use super::*;
     use crate::math::{Aabb, Random};
     use glam::Vec3A;

@@ -5,7 +5,6 @@
 //! bits of their codes are a cluster: a cell of a coarse grid. Each cluster is a tree of [`lbvh`](super::lbvh); the
 //! tree over the clusters, which is small and visited by every ray, is that of [`binned`](super::binned).
 
-use glam::Vec3A;
 use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
 
@@ -16,7 +15,7 @@ use super::super::{Bounded, BuildStages};
 use super::branch::Branch;
 use super::lbvh::{CODE_BITS, Coded, Curve, coded};
 use super::terms::{Effort, Terms};
-use super::{binned, top_down};
+use super::{Boxes, binned, top_down};
 
 /// The bits that the codes of a cluster share: cells of a grid of 16 along each axis.
 const SHARED: u32 = 12;
@@ -32,7 +31,7 @@ pub(super) fn build(primitives: &impl Bounded, effort: Effort, stages: &mut Buil
         Aabb { min: bounds.min, max: bounds.max }
     });
     let terms = Terms { pack_bits: 0, most: 1, effort };
-    let above = binned::build(&Clusters(bounds.collect()), terms, &mut BuildStages::default());
+    let above = binned::build(&Boxes(bounds.collect()), terms, &mut BuildStages::default());
     stages.time("tree", || {
         let mut clusters: Vec<Option<Branch>> = clusters.into_iter().map(Some).collect();
         let nodes = joined(&above, 0, &mut clusters).into_nodes();
@@ -65,21 +64,4 @@ fn joined(above: &Bvh2, node: usize, clusters: &mut [Option<Branch>]) -> Branch 
     }
     let below = [first, first + 1].map(|child| joined(above, child, clusters));
     Branch::Fork(*node.aabb(), Box::new(below))
-}
-
-/// The boxes of clusters.
-struct Clusters(Vec<Aabb>);
-
-impl Bounded for Clusters {
-    fn count(&self) -> u32 {
-        self.0.len() as u32
-    }
-
-    fn bounds(&self, index: u32) -> Aabb {
-        self.0[index as usize]
-    }
-
-    fn mean_point(&self) -> Vec3A {
-        self.total_bounds().center()
-    }
 }

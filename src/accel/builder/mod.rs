@@ -30,9 +30,12 @@ mod sweep;
 mod terms;
 mod top_down;
 
+use glam::Vec3A;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
+
+use crate::math::Aabb;
 
 use self::terms::{Effort, Terms};
 use super::build::obvhs_boxes;
@@ -116,6 +119,23 @@ impl Builder {
     }
 }
 
+/// Boxes of nothing else.
+pub(super) struct Boxes(pub(super) Vec<Aabb>);
+
+impl Bounded for Boxes {
+    fn count(&self) -> u32 {
+        self.0.len() as u32
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.0[index as usize]
+    }
+
+    fn mean_point(&self) -> Vec3A {
+        self.total_bounds().center()
+    }
+}
+
 /// Improves a tree by reinserting a share of its nodes again and again.
 pub(super) fn reinsert(tree: &mut Bvh2, share: f32, stages: &mut BuildStages) {
     if share > 0.0 {
@@ -124,28 +144,9 @@ pub(super) fn reinsert(tree: &mut Bvh2, share: f32, stages: &mut BuildStages) {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
-    use glam::Vec3A;
-
+mod tests {
     use super::*;
-    use crate::math::{Aabb, Random};
-
-    /// Boxes of nothing else.
-    pub(in super::super) struct Boxes(pub(in super::super) Vec<Aabb>);
-
-    impl Bounded for Boxes {
-        fn count(&self) -> u32 {
-            self.0.len() as u32
-        }
-
-        fn bounds(&self, index: u32) -> Aabb {
-            self.0[index as usize]
-        }
-
-        fn mean_point(&self) -> Vec3A {
-            self.total_bounds().center()
-        }
-    }
+    use crate::math::Random;
 
     const BUILDERS: [Builder; 6] = Builder::ALL;
 

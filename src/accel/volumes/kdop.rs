@@ -176,13 +176,14 @@ impl Volume for KDop {
 
     fn ray(ray: &Ray, box_ray: &BoxRay) -> KDopRay {
         let (origin, dir) = (ray.origin.as_dvec3(), ray.dir.as_dvec3());
-        let more = MORE * f64::from(box_ray.pad);
+        let pad = f64::from(box_ray.pad);
+        let more = MORE * pad;
         KDopRay {
             box_ray: *box_ray,
             t_min: ray.t_min,
             origin: DIAGONALS.map(|diagonal| diagonal.dot(origin)).map(|at| [at + more, at - more]),
             speed: DIAGONALS.map(|diagonal| diagonal.dot(dir)),
-            diagonals: if skips_nothing(ray, box_ray) { 0 } else { DIAGONALS.len() },
+            diagonals: if skips_nothing(dir, pad) { 0 } else { DIAGONALS.len() },
         }
     }
 

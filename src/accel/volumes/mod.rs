@@ -224,7 +224,7 @@ fn lay_out<V: Volume>(tree: &Bvh2, boxes: &[Aabb], grain: u32) -> Built<VolumeTr
 pub(super) mod tests {
     use glam::Vec3A;
 
-    use super::super::builder::tests::Boxes;
+    use super::super::builder::Boxes;
     use super::super::{BuildConfig, BuildStages};
     use super::*;
     use crate::math::Random;

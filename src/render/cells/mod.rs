@@ -7,6 +7,7 @@
 
 mod placed;
 mod solids;
+mod things;
 
 use std::sync::Arc;
 
@@ -17,8 +18,9 @@ use crate::description::Shape;
 use crate::math::{Color, Hit, Random, Ray};
 use crate::scene::{Scene, TracedWorld};
 
-use self::placed::{Placed, PlacedList};
-use self::solids::Solids;
+use self::placed::Placed;
+use self::solids::Solid;
+use self::things::Things;
 
 /// How much darker the rim of a cell is.
 const RIM: f32 = 0.45;
@@ -26,7 +28,7 @@ const RIM: f32 = 0.45;
 /// The leaves of a structure over a scene, to be looked at.
 #[derive(Clone, Debug)]
 pub struct CellView {
-    placed: Indexed<PlacedList, Bvh>,
+    placed: Indexed<Things<Placed>, Bvh>,
 }
 
 /// What a ray sees of a cell.
@@ -55,8 +57,8 @@ impl CellView {
             .meshes
             .iter()
             .map(|mesh| {
-                let solids = of_leaves(mesh, &|_| true);
-                Arc::new(Indexed::<_, Bvh>::build(Solids::new(&solids), &config))
+                let solids = of_leaves(mesh, &|_| true).into_iter().map(Solid);
+                Arc::new(Indexed::<_, Bvh>::build(Things::new(solids), &config))
             })
             .collect();
         let is_single = |id: &u32| matches!(scene.objects[*id as usize].shape, Shape::Single(_));
@@ -69,7 +71,7 @@ impl CellView {
             }
             Shape::Single(_) => None,
         });
-        let placed = PlacedList::new(singles.chain(instances).collect());
+        let placed = Things::new(singles.chain(instances));
         Self { placed: Indexed::build(placed, &config) }
     }
 

@@ -1,18 +1,15 @@
 //! What stands in the world: a cell, or all cells over a mesh, under the transform of an instance.
 
-use std::ops::Range;
 use std::sync::Arc;
 
-use glam::Vec3A;
+use crate::accel::{Bounded, Bvh, Indexed, RegionForm};
+use crate::math::{Aabb, BoxRay, Hit, Ray, RayToObject, Transform};
 
-use crate::accel::{Bounded, Bvh, Indexed, NoPacks, Primitives, Query, RegionForm};
-use crate::counters::Counters;
-use crate::math::{Aabb, BoxRay, Hit, Padding, Ray, RayToObject, Transform};
-
-use super::solids::{Solid, Solids};
+use super::solids::Solid;
+use super::things::{Thing, Things};
 
 /// The cells over a mesh.
-type MeshCells = Arc<Indexed<Solids, Bvh>>;
+type MeshCells = Arc<Indexed<Things<Solid>, Bvh>>;
 
 /// A cell, or the cells over a mesh.
 #[derive(Clone, Debug)]
@@ -42,6 +39,12 @@ impl Placed {
         let bounds = transform.map_or(own, |transform| transform.bounds_to_world(&own));
         (!own.is_empty()).then_some(Self { bounds, what })
     }
+}
+
+impl Thing for Placed {
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
 
     /// The first cell that a ray enters.
     fn hit(&self, id: u32, ray: &Ray, box_ray: &BoxRay) -> Option<Hit> {
@@ -56,69 +59,5 @@ impl Placed {
             }
         };
         (hit.t <= ray.t_max && hit.prim != Hit::MISS.prim).then_some(hit)
-    }
-}
-
-/// What stands in the world, in slot order, each with its id.
-#[derive(Clone, Debug)]
-pub(super) struct PlacedList {
-    all: Vec<(Placed, u32)>,
-    padding: Padding,
-}
-
-impl PlacedList {
-    /// Things whose ids are their places.
-    pub(super) fn new(all: Vec<Placed>) -> Self {
-        let bounds = all.iter().map(|placed| placed.bounds).fold(Aabb::EMPTY, Aabb::union);
-        Self { all: all.into_iter().zip(0..).collect(), padding: Padding::of_bounds(&bounds) }
-    }
-}
-
-impl Bounded for PlacedList {
-    fn count(&self) -> u32 {
-        self.all.len() as u32
-    }
-
-    fn bounds(&self, slot: u32) -> Aabb {
-        self.all[slot as usize].0.bounds
-    }
-
-    fn mean_point(&self) -> Vec3A {
-        self.total_bounds().center()
-    }
-}
-
-impl Primitives for PlacedList {
-    type Packs = NoPacks;
-
-    fn packs(&self) -> &NoPacks {
-        &NoPacks
-    }
-
-    fn padding(&self) -> Padding {
-        self.padding
-    }
-
-    fn reorder(&mut self, order: &[u32]) {
-        let in_order = order.iter().filter_map(|&from| self.all.get(from as usize).cloned());
-        self.all = in_order.collect();
-    }
-
-    fn test<Q: Query, C: Counters>(
-        &self,
-        query: &Q,
-        slots: Range<u32>,
-        ray: &Ray,
-        box_ray: &BoxRay,
-        answer: &mut Q::Answer,
-        _: &mut C,
-    ) {
-        for (placed, id) in &self.all[slots.start as usize..slots.end as usize] {
-            let shorter = Ray { t_max: query.end(ray, answer), ..*ray };
-            let Some(hit) = placed.hit(*id, &shorter, box_ray) else { continue };
-            if query.accepts(ray, &hit) {
-                query.record(answer, &hit);
-            }
-        }
     }
 }

@@ -1,12 +1,11 @@
-//! Boxes, balls and polytopes as primitives that are hit where a ray enters them.
-
-use std::ops::Range;
+//! Boxes, balls and polytopes that are hit where a ray enters them.
 
 use glam::{Vec3, Vec3A};
 
-use crate::accel::{Bounded, NoPacks, Primitives, Query, RegionForm};
-use crate::counters::Counters;
-use crate::math::{Aabb, BoxRay, Hit, Padding, Ray};
+use crate::accel::RegionForm;
+use crate::math::{Aabb, BoxRay, Hit, Ray};
+
+use super::things::Thing;
 
 /// How bright the faces of boxes are, by the axis that they lie across.
 const FACES: [f32; 3] = [0.78, 0.9, 1.0];
@@ -61,6 +60,17 @@ impl Solid {
     }
 }
 
+impl Thing for Solid {
+    fn bounds(&self) -> Aabb {
+        self.bounds()
+    }
+
+    fn hit(&self, id: u32, ray: &Ray, box_ray: &BoxRay) -> Option<Hit> {
+        let (t, light) = self.entered(ray, box_ray)?;
+        Some(Hit { t, object: 0, prim: id, u: light, v: 0.0 })
+    }
+}
+
 /// The axis across which the face of a box lies that a point on it belongs to.
 fn face(bounds: &Aabb, point: Vec3) -> usize {
     let from = (Vec3A::from(point) - bounds.center()).abs();
@@ -68,70 +78,4 @@ fn face(bounds: &Aabb, point: Vec3) -> usize {
     // The face whose plane is nearest; flat boxes have their two large ones.
     let apart = (half - from).abs();
     (0..3).min_by(|&a, &b| apart[a].total_cmp(&apart[b])).unwrap_or(0)
-}
-
-/// Solids in slot order, each with its id.
-#[derive(Clone, Debug)]
-pub(super) struct Solids {
-    all: Vec<(Solid, u32)>,
-    padding: Padding,
-}
-
-impl Solids {
-    /// Solids whose ids are their places.
-    pub(super) fn new(forms: &[RegionForm]) -> Self {
-        let all: Vec<_> = forms.iter().copied().map(Solid).zip(0..).collect();
-        let bounds = all.iter().map(|(solid, _)| solid.bounds()).fold(Aabb::EMPTY, Aabb::union);
-        Self { all, padding: Padding::of_bounds(&bounds) }
-    }
-}
-
-impl Bounded for Solids {
-    fn count(&self) -> u32 {
-        self.all.len() as u32
-    }
-
-    fn bounds(&self, slot: u32) -> Aabb {
-        self.all[slot as usize].0.bounds()
-    }
-
-    fn mean_point(&self) -> Vec3A {
-        self.total_bounds().center()
-    }
-}
-
-impl Primitives for Solids {
-    type Packs = NoPacks;
-
-    fn packs(&self) -> &NoPacks {
-        &NoPacks
-    }
-
-    fn padding(&self) -> Padding {
-        self.padding
-    }
-
-    fn reorder(&mut self, order: &[u32]) {
-        let in_order = order.iter().filter_map(|&from| self.all.get(from as usize).copied());
-        self.all = in_order.collect();
-    }
-
-    fn test<Q: Query, C: Counters>(
-        &self,
-        query: &Q,
-        slots: Range<u32>,
-        ray: &Ray,
-        box_ray: &BoxRay,
-        answer: &mut Q::Answer,
-        _: &mut C,
-    ) {
-        for (solid, id) in &self.all[slots.start as usize..slots.end as usize] {
-            if let Some((t, light)) = solid.entered(ray, box_ray) {
-                let hit = Hit { t, object: 0, prim: *id, u: light, v: 0.0 };
-                if t <= query.end(ray, answer) && query.accepts(ray, &hit) {
-                    query.record(answer, &hit);
-                }
-            }
-        }
-    }
 }
