@@ -6,8 +6,8 @@
 use std::io::Read;
 
 use srt::accel::{
-    Answers, BoundingBall, BuildConfig, Bvh, Bvh8, CompressedWideBvh, Exhaustive, Indexed,
-    LoadError, Portable, Quality, Scratch, StructureShape, Tracer,
+    Answers, BoundingBall, BuildConfig, BuildOptions, Bvh, Bvh8, CompressedWideBvh, Exhaustive,
+    Indexed, LoadError, Portable, Quality, Scratch, StructureShape, Tracer,
 };
 use srt::conformance::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
 use srt::conformance::nasty_meshes::{self, Mesh};
@@ -352,4 +352,16 @@ fn forged_compressed_trees_are_errors_or_right() {
 #[test]
 fn forged_wide_trees_are_errors_or_right() {
     check_forgeries::<Bvh8>();
+}
+
+#[test]
+fn trees_that_copy_triangles_are_refused() {
+    let mesh = nasty_meshes::soup();
+    let options = BuildOptions::of::<Bvh8>("builder=sbvh").unwrap();
+    let config = BuildConfig { options, ..BuildConfig::default() };
+    let set = TriangleSet::new(&mesh.positions, &mesh.triangles);
+    let index: Triangles<Bvh8> = Indexed::build(set, &config);
+    let error = index.save(&mut Vec::new()).unwrap_err();
+    assert_eq!(error.kind(), std::io::ErrorKind::Unsupported);
+    assert!(error.to_string().contains("leaves share primitives"), "{error}");
 }

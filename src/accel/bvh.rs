@@ -75,7 +75,9 @@ impl Accel for Bvh {
             };
         }
         let tree = binary_tree(primitives, build);
-        build.stages.time("layout", || lay_out(&tree, build.grain))
+        let (accel, order) = build.stages.time("layout", || lay_out(&tree, build.grain));
+        let order = Order::of(order, tree.primitive_indices.len(), primitives.count());
+        Built { accel, order: Some(order) }
     }
 
     #[inline]
@@ -232,7 +234,7 @@ fn binary_tree(primitives: &impl Bounded, build: &mut Build<'_>) -> Bvh2 {
     let parameters = config.quality.parameters();
     let usual_leaf = parameters.max_prims_per_leaf.min(config.max_leaf);
     let most = config.options.number(&LEAF).unwrap_or(usual_leaf).max(1);
-    let choice = TreeChoice::of(config, &BUILDER, Builder::Ploc);
+    let choice = TreeChoice::of(config, *grain, &BUILDER, Builder::Ploc);
     let mut tree = choice.tree(primitives, *grain, 1, stages);
     let cost = parameters.collapse_traversal_cost;
     stages.time("collapse", || collapse(&mut tree, most, cost));
@@ -243,7 +245,7 @@ fn binary_tree(primitives: &impl Bounded, build: &mut Build<'_>) -> Bvh2 {
 
 /// Pairs the boxes of siblings, in the order in which a walk meets them, and moves every leaf's
 /// range to a multiple of `grain`.
-fn lay_out(tree: &Bvh2, grain: u32) -> Built<Bvh> {
+fn lay_out(tree: &Bvh2, grain: u32) -> (Bvh, Vec<u32>) {
     let mut nodes = Vec::with_capacity(tree.nodes.len() / 2);
     let mut order = Vec::with_capacity(tree.primitive_indices.len());
     let mut root = Child::default();
@@ -271,10 +273,7 @@ fn lay_out(tree: &Bvh2, grain: u32) -> Built<Bvh> {
         }
     }
     nodes.shrink_to_fit();
-    Built {
-        accel: Bvh { nodes, root: Some(root), paths: None },
-        order: Some(Order::Permutation(order)),
-    }
+    (Bvh { nodes, root: Some(root), paths: None }, order)
 }
 
 fn bounds_of(node: &Bvh2Node) -> Aabb {

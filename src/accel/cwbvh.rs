@@ -51,16 +51,18 @@ impl Accel for CompressedWideBvh {
         if primitives.count() == 0 {
             return Built { accel: Self { nodes: Vec::new() }, order: None };
         }
-        let Build { config, stages, .. } = build;
+        let Build { config, grain, stages } = build;
         let usual_leaf = config.quality.parameters().max_prims_per_leaf.min(config.max_leaf);
         let most = config.options.number(&LEAF).unwrap_or(usual_leaf).clamp(1, MOST);
-        let choice = TreeChoice::of(config, &BUILDER, Builder::Ploc);
+        let choice = TreeChoice::of(config, *grain, &BUILDER, Builder::Ploc);
         // Leaves begin anywhere, so that packs make none of them cheaper.
         let binary = choice.tree(primitives, 1, 1, stages);
         let tree = stages.time("collapse", || bvh2_to_cwbvh(&binary, most, true, false));
         let mut nodes = tree.nodes;
         nodes.shrink_to_fit();
-        Built { accel: Self { nodes }, order: Some(Order::Permutation(tree.primitive_indices)) }
+        let references = binary.primitive_indices.len();
+        let order = Order::of(tree.primitive_indices, references, primitives.count());
+        Built { accel: Self { nodes }, order: Some(order) }
     }
 
     #[inline]

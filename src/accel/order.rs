@@ -18,6 +18,15 @@ pub enum Order {
 }
 
 impl Order {
+    /// What so many primitives have, to which leaves refer so many times.
+    pub(super) fn of(slots: Vec<u32>, references: usize, primitives: u32) -> Self {
+        if references > primitives as usize {
+            Self::References(slots)
+        } else {
+            Self::Permutation(slots)
+        }
+    }
+
     /// The primitive of each slot.
     #[must_use]
     pub fn slots(&self) -> &[u32] {

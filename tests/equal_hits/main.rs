@@ -327,3 +327,46 @@ fn options_change_no_hit() {
         }
     });
 }
+
+/// Several leaves refer to a triangle, each by a part of its box.
+#[test]
+fn boxes_that_are_cut_change_no_hit() {
+    let offers = |structure: &&Structure| structure.with_options("builder=sbvh").is_ok();
+    let cut: Vec<Structure> = STRUCTURES
+        .iter()
+        .filter(offers)
+        .map(|one| one.with_options("builder=sbvh").unwrap())
+        .collect();
+    assert_eq!(cut.len(), 3, "bvh, cwbvh and bvh8");
+    let mut meshes = nasty_meshes::all();
+    for kind in [MeshKind::Hall, MeshKind::Hair, MeshKind::Soup] {
+        let MeshData { positions, triangles, .. } = generate(kind, 1_500, 1);
+        meshes.push(Mesh { name: kind.name(), positions, triangles });
+    }
+    let copies = meshes.par_iter().map(|mesh| {
+        let mut copies = 0;
+        for (scale, offset) in [(1.0, Vec3::ZERO), (1e-6, Vec3::ZERO), (1e3, Vec3::splat(1e6))] {
+            let mesh = mesh.moved(scale, offset);
+            let rays = rays_at(&mesh, for_this_isa(3_000), 37);
+            let none = indexed::<Exhaustive>(&mesh, Quality::Medium);
+            let expected = trace(&none, &rays);
+            let rays_cut = rays_cut_at_hits(&rays, &expected.0);
+            let expected_of_cut = trace(&none, &rays_cut);
+            for structure in &cut {
+                let what = format!("{}: {}", mesh.name, structure.name);
+                let tree = over(structure, &mesh, Quality::Medium);
+                assert_equal(&what, tree.as_ref(), &rays, &expected);
+                assert_equal(&what, tree.as_ref(), &rays_cut, &expected_of_cut);
+            }
+            let options = BuildOptions::of::<Bvh8>("builder=sbvh").unwrap();
+            let config = BuildConfig { options, ..BuildConfig::default() };
+            let set = TriangleSet::new(&mesh.positions, &mesh.triangles);
+            let shape = Indexed::<_, Bvh8>::build(set, &config).shape();
+            let slots = (0..).zip(&shape.leaf_sizes).map(|(size, leaves)| size * leaves);
+            copies += slots.sum::<u64>() - mesh.triangles.len() as u64;
+        }
+        copies
+    });
+    let copies: u64 = copies.sum();
+    assert!(copies > 500, "{copies}");
+}

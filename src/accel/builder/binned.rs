@@ -48,7 +48,7 @@ fn both(a: &Centers, b: &Centers) -> Centers {
 }
 
 /// The boxes around some primitives and around their centres.
-fn around(references: &[Reference]) -> (Corners, Centers) {
+pub(super) fn around(references: &[Reference]) -> (Corners, Centers) {
     references.iter().fold((Corners::EMPTY, NOWHERE), |(bounds, centers), reference| {
         let center = reference.center();
         (bounds.union(&reference.0), both(&centers, &[center, center]))

@@ -26,6 +26,18 @@ impl Branch {
         }
     }
 
+    /// Lets leaves refer to primitives so many places later.
+    pub(super) fn move_leaves(&mut self, by: u32) {
+        match self {
+            Self::Fork(_, below) => below.iter_mut().for_each(|branch| branch.move_leaves(by)),
+            Self::Grown(nodes) => {
+                for leaf in nodes.iter_mut().filter(|node| node.is_leaf()) {
+                    leaf.first_index += by;
+                }
+            }
+        }
+    }
+
     /// All nodes as one list: the forks, then what was grown below each of them.
     pub(super) fn into_nodes(self) -> Vec<Bvh2Node> {
         let (forks, grown) = self.sizes();

@@ -12,6 +12,8 @@ pub(in super::super) struct TreeChoice {
     quality: Quality,
     /// The share of the nodes that are reinserted in each round; 0 for no reinsertion.
     pub(in super::super) reinserted: f32,
+    /// Whether several leaves may refer to a primitive.
+    cuts: bool,
 }
 
 impl Builder {
@@ -25,21 +27,24 @@ impl Builder {
 }
 
 impl TreeChoice {
-    /// What the options say, by that of the builder, with another where none is given.
+    /// What the options say, by that of the builder, with another where none is given. So many primitives are tested at
+    /// once: where they are tested one by one, as objects are, none is copied, since an object may be large and move by
+    /// itself.
     pub(in super::super) fn of(
         config: &BuildConfig,
+        grain: u32,
         option: &OptionInfo,
         default: Builder,
     ) -> Self {
         let builder = Builder::chosen(&config.options, option).unwrap_or(default);
-        let usual = Self::new(builder, config.quality);
+        let usual = Self::new(builder, config.quality, grain);
         let percent = config.options.number(&Builder::REINSERTION);
         let chosen = percent.map(|percent| percent as f32 / 100.0);
         Self { reinserted: chosen.unwrap_or(usual.reinserted), ..usual }
     }
 
     /// A builder, with as much reinsertion as the quality says.
-    pub(super) fn new(builder: Builder, quality: Quality) -> Self {
+    pub(super) fn new(builder: Builder, quality: Quality, grain: u32) -> Self {
         let reinserted = match (builder, quality) {
             // The tree of bins is as good without, and the others are what they are called as long as no
             // more than a usual build is wanted.
@@ -48,7 +53,7 @@ impl TreeChoice {
             }
             _ => 0.0,
         };
-        Self { builder, quality, reinserted }
+        Self { builder, quality, reinserted, cuts: grain > 1 }
     }
 
     /// Builds a tree over at least one primitive, for leaves in which `pack` primitives, a power of two,
@@ -62,7 +67,7 @@ impl TreeChoice {
     ) -> Bvh2 {
         // Primitives are reinserted one by one.
         let most = if pack > 1 && self.reinserted == 0.0 { most } else { 1 };
-        let mut tree = self.builder.tree(primitives, [pack, most], self.quality, stages);
+        let mut tree = self.builder.tree(primitives, [pack, most], self.quality, self.cuts, stages);
         reinsert(&mut tree, self.reinserted, stages);
         tree
     }
@@ -82,7 +87,7 @@ mod tests {
         let of = |text: &str, quality| {
             let options = BuildOptions::of::<Bvh8>(text).unwrap();
             let config = BuildConfig { options, quality, ..BuildConfig::default() };
-            TreeChoice::of(&config, &option, Builder::Sah)
+            TreeChoice::of(&config, 1, &option, Builder::Sah)
         };
         let share = |text: &str, quality| of(text, quality).reinserted;
         assert_eq!(share("leaf=8", Quality::Medium), 0.0);

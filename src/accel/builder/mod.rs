@@ -10,7 +10,8 @@
 //! * `sweep` (`all_places.rs`): from the top by the surface area heuristic, with all places weighed;
 //! * `median` (`median.rs`): from the top, halved by number;
 //! * `lbvh` (`lbvh.rs`): along Morton's curve;
-//! * `hlbvh` (`hlbvh.rs`): along Morton's curve below, by the surface area heuristic above.
+//! * `hlbvh` (`hlbvh.rs`): along Morton's curve below, by the surface area heuristic above;
+//! * `sbvh` (`spatial.rs`): from the top by the surface area heuristic, boxes cut where that pays.
 //!
 //! Each can be improved by obvhs's reinsertion (Meister, Bittner: *Parallel Reinsertion for Bounding Volume Hierarchy
 //! Optimization*, 2018), as the option or the quality says (`choice.rs`). None depends on the number of threads.
@@ -25,6 +26,7 @@ mod lbvh;
 mod median;
 mod reference;
 mod sorted;
+mod spatial;
 mod split;
 mod sweep;
 mod terms;
@@ -58,14 +60,16 @@ pub(super) enum Builder {
     Lbvh,
     /// Along Morton's curve below, by the surface area heuristic above.
     Hlbvh,
+    /// From the top down by the surface area heuristic, boxes cut where that pays.
+    Sbvh,
 }
 
 impl Builder {
-    const ALL: [Self; 6] =
-        [Self::Sah, Self::Ploc, Self::Sweep, Self::Median, Self::Lbvh, Self::Hlbvh];
+    const ALL: [Self; 7] =
+        [Self::Sah, Self::Ploc, Self::Sweep, Self::Median, Self::Lbvh, Self::Hlbvh, Self::Sbvh];
 
-    /// What they are called, in the same order.
-    const WORDS: &[&str] = &["sah", "ploc", "sweep", "median", "lbvh", "hlbvh"];
+    /// What they are called, in the same order; the last one cuts boxes.
+    const WORDS: &[&str] = &["sah", "ploc", "sweep", "median", "lbvh", "hlbvh", "sbvh"];
 
     /// The option that chooses it, with what holds where it is not given.
     pub(super) const fn option(default: &'static str) -> OptionInfo {
@@ -73,9 +77,20 @@ impl Builder {
             name: "builder",
             allowed: Allowed::Words(Self::WORDS),
             default,
+            summary: "binary tree by the surface area heuristic (in bins, by a sweep over all places, or in bins \
+                      with boxes that are cut: sbvh), by clustering, by halves of equal number or along \
+                      Morton's curve (with the heuristic above: hlbvh)",
+        }
+    }
+
+    /// The same for structures of whole boxes.
+    pub(super) const fn option_without_cuts(default: &'static str) -> OptionInfo {
+        let (words, _) = Self::WORDS.split_at(Self::WORDS.len() - 1);
+        OptionInfo {
+            allowed: Allowed::Words(words),
             summary: "binary tree by the surface area heuristic (in bins or by a sweep over all places), by \
-                      clustering, by halves of equal number or along Morton's curve (with \
-                      the heuristic above: hlbvh)",
+                      clustering, by halves of equal number or along Morton's curve (with the heuristic above: hlbvh)",
+            ..Self::option(default)
         }
     }
 
@@ -86,12 +101,14 @@ impl Builder {
     }
 
     /// Builds a tree over at least one primitive, for leaves in which `pack` primitives, a power of two,
-    /// cost as much as one. Its leaves hold up to `most` primitives where parting them would not pay.
+    /// cost as much as one. Its leaves hold up to `most` primitives where parting them would not pay. Several
+    /// leaves may refer to a primitive if `cuts` says so.
     fn tree(
         self,
         primitives: &impl Bounded,
         [pack, most]: [u32; 2],
         quality: Quality,
+        cuts: bool,
         stages: &mut BuildStages,
     ) -> Bvh2 {
         let (parameters, effort) = (quality.parameters(), Effort::of(quality));
@@ -102,6 +119,7 @@ impl Builder {
             Self::Median => median::build(primitives, stages),
             Self::Lbvh => lbvh::build(primitives, stages),
             Self::Hlbvh => hlbvh::build(primitives, effort, stages),
+            Self::Sbvh => spatial::build(primitives, terms, cuts, stages),
             Self::Ploc => {
                 let boxes = stages.time("boxes", || obvhs_boxes(primitives));
                 let build = || {
@@ -148,11 +166,11 @@ mod tests {
     use super::*;
     use crate::math::Random;
 
-    const BUILDERS: [Builder; 6] = Builder::ALL;
+    const BUILDERS: [Builder; 7] = Builder::ALL;
 
     fn tree(builder: Builder, boxes: &[Aabb], [pack, most]: [u32; 2], quality: Quality) -> Bvh2 {
         let boxes = Boxes(boxes.to_vec());
-        let choice = TreeChoice::new(builder, quality);
+        let choice = TreeChoice::new(builder, quality, 1);
         choice.tree(&boxes, pack, most, &mut BuildStages::default())
     }
 

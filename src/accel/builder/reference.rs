@@ -37,6 +37,23 @@ impl Corners {
         [range[0].max(-2.0 * low), range[1].min(2.0 * high)]
     }
 
+    /// Where it begins and ends along an axis.
+    pub(super) fn range(&self, axis: usize) -> [f32; 2] {
+        [-self.0[axis], self.0[4 + axis]]
+    }
+
+    /// What is before a plane across an axis.
+    pub(super) fn up_to(mut self, axis: usize, plane: f32) -> Self {
+        self.0[4 + axis] = self.0[4 + axis].min(plane);
+        self
+    }
+
+    /// What is behind a plane across an axis.
+    pub(super) fn from(mut self, axis: usize, plane: f32) -> Self {
+        self.0[axis] = self.0[axis].min(-plane);
+        self
+    }
+
     /// Half of the surface.
     pub(super) fn half_area(&self) -> f32 {
         let [low, high] = self.halves();

@@ -84,14 +84,15 @@ impl Accel for Bvh8 {
             let accel = Self { nodes: Vec::new(), block: leaves.block, need: 0, paths: None };
             return Built { accel, order: None };
         }
-        let choice = TreeChoice::of(config, &BUILDER, Builder::Sah);
+        let choice = TreeChoice::of(config, *grain, &BUILDER, Builder::Sah);
         let pack = leaves.block as u32;
         let tree = choice.tree(primitives, pack, leaves.most, stages);
         let plan = stages.time("plan", || Plan::new(&tree, leaves));
         let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
         let need = stack_need(&wide.nodes);
         let accel = Self { nodes: wide.nodes, block: leaves.block, need, paths: None };
-        Built { accel, order: Some(Order::Permutation(wide.order)) }
+        let order = Order::of(wide.order, tree.primitive_indices.len(), primitives.count());
+        Built { accel, order: Some(order) }
     }
 
     #[inline]

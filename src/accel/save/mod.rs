@@ -36,7 +36,7 @@ pub struct Slots<'a> {
 }
 
 /// A structure that can be saved and loaded, together with [`PortablePrimitives`]. Its order is a
-/// permutation: one that copies primitives ([`Order::References`]) is not read again.
+/// permutation: one that copies primitives ([`Order::References`]) is not written.
 pub trait Portable: Accel {
     /// The name by which bytes are known to hold this structure; at most 255 bytes.
     const NAME: &'static str;
@@ -105,7 +105,7 @@ impl<P: PortablePrimitives, A: Portable> Indexed<P, A> {
     /// Some of the bytes are written in small pieces: give a file as a [`BufWriter`](io::BufWriter).
     ///
     /// # Errors
-    /// If they cannot be written.
+    /// If they cannot be written, or the structure copies primitives ([`io::ErrorKind::Unsupported`]).
     pub fn save(&self, mut out: impl Write) -> io::Result<()> {
         let out = &mut Encoder::new(&mut out);
         out.bytes(&MAGIC)?;
@@ -159,7 +159,17 @@ impl<P: PortablePrimitives, A: Portable> Indexed<P, A> {
 
 impl<P: Primitives, A: Portable> Indexed<P, A> {
     /// Writes the primitive of each slot, and the structure.
+    ///
+    /// # Errors
+    /// If they cannot be written, or the order copies primitives ([`io::ErrorKind::Unsupported`]).
     pub(crate) fn write_structure(&self, order: &[u32], out: &mut Encoder<'_>) -> io::Result<()> {
+        let filled = order.iter().filter(|&&id| id != NONE).count();
+        if filled > self.primitives().count() as usize {
+            return Err(io::Error::new(
+                io::ErrorKind::Unsupported,
+                "a structure whose leaves share primitives cannot be saved: choose another builder, as `builder=sah`",
+            ));
+        }
         out.u32(order.len() as u32)?;
         out.list(order, |&id| [id])?;
         self.accel().write(out)

@@ -73,7 +73,8 @@ struct Child<V> {
     count: u32,
 }
 
-const BUILDER: OptionInfo = Builder::option("sah");
+// Boxes are not cut: a volume is one around whole boxes.
+const BUILDER: OptionInfo = Builder::option_without_cuts("sah");
 const LEAF: OptionInfo = OptionInfo::leaf(32, "4");
 
 impl<V: Volume> Accel for VolumeTree<V> {
@@ -90,7 +91,7 @@ impl<V: Volume> Accel for VolumeTree<V> {
             return Built { accel: Self { nodes: Vec::new(), root: None }, order: None };
         }
         let most = config.options.number(&LEAF).unwrap_or(config.max_leaf.min(4)).max(1);
-        let choice = TreeChoice::of(config, &BUILDER, Builder::Sah);
+        let choice = TreeChoice::of(config, *grain, &BUILDER, Builder::Sah);
         let mut tree = choice.tree(primitives, *grain, 1, stages);
         let cost = config.quality.parameters().collapse_traversal_cost;
         stages.time("collapse", || collapse(&mut tree, most, cost));
