@@ -73,6 +73,23 @@ impl SceneFigures {
         self.structures.iter().find(|structure| structure.structure == name)
     }
 
+    /// How many times as fast as the base a structure of the scene is: the geometric mean over the classes that the
+    /// base traced. `None` if one of them has no ratio that supports a statement.
+    #[must_use]
+    pub fn mean_speedup(&self, structure: &StructureFigures) -> Option<f64> {
+        let base = self.structure(self.base.as_deref()?)?;
+        if base.structure == structure.structure {
+            return Some(1.0);
+        }
+        let mut logarithms = 0.0;
+        for class in &base.classes {
+            let ratio = structure.class(class.class)?.speedup?;
+            logarithms += ratio.supports_a_statement().then(|| ratio.value.ln())?;
+        }
+        let mean = logarithms / base.classes.len() as f64;
+        mean.is_finite().then(|| mean.exp())
+    }
+
     /// The classes that any structure traced, in the order of reports.
     #[must_use]
     pub fn classes(&self) -> Vec<RayClass> {

@@ -191,7 +191,8 @@ impl ConformanceArguments {
 /// `srt report`.
 #[derive(Debug, Args)]
 #[command(after_help = "Pictures are taken from the folder of FILE.\n\n\
-    Example:\n  srt report results/old/report.json --out results/again")]
+    Examples:\n  srt report results/old/report.json --out results/again\n  \
+    srt report results/old/report.json --plots figures")]
 pub(crate) struct ReportArguments {
     /// A report.json that `srt compare` wrote
     #[arg(value_name = "FILE")]
@@ -200,6 +201,10 @@ pub(crate) struct ReportArguments {
     /// The folder to write [default: that of FILE]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+
+    /// Also write each plot of the page as an SVG file, into this folder
+    #[arg(long, value_name = "DIR")]
+    pub(crate) plots: Option<PathBuf>,
 
     /// Print nothing but errors
     #[arg(long, short)]

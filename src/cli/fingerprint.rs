@@ -6,6 +6,7 @@ use std::path::Path;
 use sha2::{Digest, Sha256};
 
 use super::source::{self, Source};
+use crate::assets::MeshLoader;
 use crate::assets::generate::Recipe;
 use crate::description::SceneDescription;
 use crate::sealed::{Hash, hexadecimal};
@@ -13,7 +14,7 @@ use crate::sealed::{Hash, hexadecimal};
 /// SHA-256 of a scene's file and of all mesh files that it names, in its order; hexadecimal. Those of a pack and of a
 /// built scene are the same as that of what they were made from.
 pub(super) fn of_scene(path: &Path, description: &SceneDescription) -> io::Result<String> {
-    let source = source::read(path).map_err(io::Error::other)?;
+    let source = source::read(path, &mut MeshLoader::default()).map_err(io::Error::other)?;
     of_source(&source, description).map(|hash| hexadecimal(&hash))
 }
 

@@ -90,8 +90,9 @@ pub(crate) struct SceneFile {
 impl SceneFile {
     /// Reads the file, or the pack.
     pub(crate) fn read(path: &Path, lenient: bool) -> Result<Self, LoadError> {
-        let (source, path, colors) = (source::read(path)?, path.to_owned(), terminal::colors());
-        Ok(Self { source, path, lenient, colors, meshes: MeshLoader::default() })
+        let mut meshes = MeshLoader::default();
+        let source = source::read(path, &mut meshes)?;
+        Ok(Self { source, path: path.to_owned(), lenient, colors: terminal::colors(), meshes })
     }
 
     /// The same, for what is no terminal.

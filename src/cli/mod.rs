@@ -58,6 +58,7 @@ mod inventory;
 mod load;
 mod man;
 mod mesh;
+mod mesh_scene;
 mod near;
 mod options;
 mod origin;

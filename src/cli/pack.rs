@@ -11,6 +11,7 @@ use super::args::PackArguments;
 use super::exit::{CommandResult, Exit, Failure};
 use super::fingerprint;
 use super::load::{SceneFile, print_load_error};
+use super::mesh_scene::NamedMesh;
 use super::output::Output;
 use super::source::{Source, folder_of, is_stdin};
 use super::terminal::print_message;
@@ -110,7 +111,13 @@ fn located(path: &Path, source: &Source, names: &[&str]) -> Result<Located, Fail
         Failure::new(format_args!("cannot find the folder `{}`: {error}", here.display()))
     })?;
     let folder = folder.to_string_lossy().replace(MAIN_SEPARATOR, "/");
-    let name = if stdin { None } else { path.file_name().map(|name| name.to_string_lossy()) };
+    let name = match NamedMesh::of(path) {
+        // The mesh has its own name.
+        Some(NamedMesh::File(name)) => Some(Cow::Owned(format!("{name}.sce"))),
+        Some(NamedMesh::Generated(_)) => None,
+        None if stdin => None,
+        None => path.file_name().map(|name| name.to_string_lossy()),
+    };
     locate(&folder, &name.unwrap_or(Cow::Borrowed("scene.sce")), names).map_err(|error| {
         Failure::new(format_args!(
             "cannot pack the scene: {error}; name its meshes relative to the scene"

@@ -1,13 +1,18 @@
-//! A scene from its file, from standard input, from a pack with all that it names, or built.
+//! A scene from its file, from standard input, from a pack with all that it names, or built; or a mesh in its place.
 
 use std::borrow::Cow;
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use glam::Vec3A;
+
+use super::mesh_scene::NamedMesh;
 use super::origin::program;
-use crate::assets::{FileReader, MeshFiles, expect_memory, read_file, read_stream};
+use crate::assets::{FileReader, MeshFiles, MeshLoader, expect_memory, read_file, read_stream};
 use crate::built_file::{BuiltFileError, BuiltScene};
+use crate::description::MeshReference;
+use crate::math::Aabb;
 use crate::pack::{Located, Pack, PackError};
 
 /// Why a scene's text cannot be read.
@@ -59,7 +64,7 @@ pub(crate) struct Source {
 }
 
 enum From {
-    /// The bytes of a scene that stands by itself.
+    /// The bytes of a scene that stands by itself, or that was made around a mesh.
     Scene(Vec<u8>),
     Pack(Pack),
     Built(Built),
@@ -106,8 +111,13 @@ impl Read for Rest {
     }
 }
 
-/// Reads a scene, a pack or a built scene from its file, or from standard input if the path is `-`.
-pub(crate) fn read(path: &Path) -> Result<Source, SourceError> {
+/// Reads a scene, a pack or a built scene from its file, or from standard input if the path is `-`. Of a mesh the scene
+/// is made around it, once `meshes` has loaded it.
+pub(crate) fn read(path: &Path, meshes: &mut MeshLoader) -> Result<Source, SourceError> {
+    if let Some(mesh) = NamedMesh::of(path) {
+        let text = around_mesh(mesh, path, meshes);
+        return Ok(Source { path: path.to_owned(), from: From::Scene(text.into_bytes()) });
+    }
     if !is_stdin(path)
         && let Some(file) = begun_as_built(path)
     {
@@ -126,6 +136,14 @@ pub(crate) fn read(path: &Path) -> Result<Source, SourceError> {
         Ok(bytes) => Ok(Source { path, from: From::Scene(bytes) }),
         Err(source) => Err(SourceError::Io { path, source }),
     }
+}
+
+/// The scene around a mesh. What is wrong with the mesh is found when the scene is compiled.
+fn around_mesh(mesh: NamedMesh<'_>, path: &Path, meshes: &mut MeshLoader) -> String {
+    let loaded = meshes.load_each(&[MeshReference::new(mesh.name())], folder_of(path));
+    let bounds = loaded.meshes.into_iter().flatten().next().map(|mesh| mesh.bounds());
+    let some = bounds.filter(|bounds| bounds.min.cmple(bounds.max).all());
+    mesh.scene(&some.unwrap_or(Aabb { min: Vec3A::NEG_ONE, max: Vec3A::ONE }))
 }
 
 /// A regular file at its beginning, if that is the one of a built scene.
@@ -173,6 +191,9 @@ impl Source {
     /// The name of the scene in messages about its text.
     pub(crate) fn name(&self) -> String {
         match &self.from {
+            From::Scene(_) if NamedMesh::of(&self.path).is_some() => {
+                format!("the scene around {}", name(&self.path))
+            }
             From::Scene(_) | From::Built(_) => name(&self.path),
             From::Pack(pack) => name(&self.path.join(pack.scene().0)),
         }

@@ -1,23 +1,132 @@
-//! The plots of the page: from the analysis to drawings.
+//! From the analysis to plots.
 
-use maud::Markup;
-
-use super::Page;
+use super::Report;
+use super::numbers::{COUNT, TIME};
+use super::plot::{
+    Bars, Dot, DotGroup, Ends, Lane, LanePlot, Look, Looks, Plot, XyPlot, XySeries, dot_plot,
+    histogram,
+};
 use crate::analysis::statistics::{BreakEven, Cost};
 use crate::analysis::{
     Analysis, ClassFigures, NoiseFigures, Pairing, SceneFigures, StructureFigures, SweepCurve,
     SweepFigures,
 };
 use crate::record::{Estimate, RayClass, SceneRecord};
-use crate::report::numbers::{COUNT, TIME};
-use crate::report::plot::{Bars, Dot, DotGroup, Ends, Look, XyPlot, XySeries, dot_plot, histogram};
+
+/// All plots of a report, with the names of files for them.
+pub(super) fn all(report: &Report<'_>) -> Vec<(String, Plot)> {
+    let looks = &report.looks();
+    let (comparison, analysis) = (report.comparison, &report.analysis);
+    let mut plots = Vec::new();
+    let mut add = |name: String, plot: Option<Plot>| plots.extend(plot.map(|plot| (name, plot)));
+    for (what, plot) in [
+        ("rays", speed_by_scene(looks, report)),
+        ("builds", builds_by_scene(looks, report)),
+        ("memory", memory_by_scene(looks, report)),
+    ] {
+        add(format!("all-scenes-{what}"), plot);
+    }
+    for (scene, own) in comparison.scenes.iter().zip(&analysis.scenes) {
+        for (what, plot) in [
+            ("speedup", speedups(looks, own)),
+            ("rates", rates(looks, own)),
+            ("leaves", leaves(looks, scene)),
+            ("build-and-trace", pareto(looks, own)),
+            ("break-even", break_even(looks, own)),
+        ] {
+            add(format!("{}-{what}", scene.name), plot);
+        }
+    }
+    for sweep in &analysis.sweeps {
+        for class in sweep.classes() {
+            add(format!("growth-{}-{}", sweep.mesh, class.name()), growth(looks, sweep, class));
+        }
+    }
+    for scene in noise_scenes(analysis) {
+        add(format!("{scene}-noise"), noise(analysis, scene));
+    }
+    plots
+}
+
+/// How many times as fast as the base each structure is in each scene: the geometric mean of the classes of rays.
+pub(super) fn speed_by_scene(looks: &Looks, report: &Report<'_>) -> Option<Plot> {
+    let base = &report.comparison.base;
+    let value = |scene: &SceneFigures, structure: &StructureFigures| {
+        (scene.base.as_ref() == Some(base)).then(|| scene.mean_speedup(structure)).flatten()
+    };
+    LanePlot {
+        title: format!("All scenes: speed-up over {base}"),
+        label: format!("times as fast as {base}, mean of the classes (logarithmic)"),
+        units: &[],
+        line_at: Some(1.0),
+        ..lanes(looks, report, value)?
+    }
+    .draw()
+}
+
+/// The time of each build, on all threads, by scene.
+pub(super) fn builds_by_scene(looks: &Looks, report: &Report<'_>) -> Option<Plot> {
+    let value = |_: &SceneFigures, own: &StructureFigures| {
+        own.build_all_threads_ns.or(own.build_one_thread_ns).map(|estimate| estimate.value)
+    };
+    LanePlot {
+        title: "All scenes: builds".to_owned(),
+        label: "build, all threads (logarithmic)".to_owned(),
+        units: TIME,
+        ..lanes(looks, report, value)?
+    }
+    .draw()
+}
+
+/// The memory of each structure by scene.
+pub(super) fn memory_by_scene(looks: &Looks, report: &Report<'_>) -> Option<Plot> {
+    let value = |_: &SceneFigures, own: &StructureFigures| own.bytes_per_triangle;
+    LanePlot {
+        title: "All scenes: memory".to_owned(),
+        label: "bytes of the index for each triangle in memory (logarithmic)".to_owned(),
+        ..lanes(looks, report, value)?
+    }
+    .draw()
+}
+
+/// A row for each scene in which structures have values; nothing for a single one.
+fn lanes(
+    looks: &Looks,
+    report: &Report<'_>,
+    value: impl Fn(&SceneFigures, &StructureFigures) -> Option<f64>,
+) -> Option<LanePlot> {
+    let scenes = &report.analysis.scenes;
+    let mut names: Vec<&str> = Vec::new();
+    for structure in scenes.iter().flat_map(|scene| &scene.structures) {
+        if !names.contains(&structure.structure.as_str()) {
+            names.push(&structure.structure);
+        }
+    }
+    let lane = |scene: &SceneFigures| Lane {
+        name: scene.scene.clone(),
+        values: (0..)
+            .zip(&names)
+            .filter_map(|(place, name)| Some((place, value(scene, scene.structure(name)?)?)))
+            .filter(|(_, value)| value.is_finite() && *value > 0.0)
+            .collect(),
+    };
+    let lanes: Vec<Lane> = scenes.iter().map(lane).filter(|lane| !lane.values.is_empty()).collect();
+    (lanes.len() > 1).then(|| LanePlot {
+        title: String::new(),
+        label: String::new(),
+        units: &[],
+        line_at: None,
+        key: names.iter().map(|name| (looks.get(name), (*name).to_owned())).collect(),
+        lanes,
+    })
+}
 
 /// How many times as fast as the base each structure is, by class.
-pub(super) fn speedups(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
+pub(super) fn speedups(looks: &Looks, scene: &SceneFigures) -> Option<Plot> {
     let base = scene.base.as_deref()?;
     let groups =
         groups(
-            page,
+            looks,
             scene,
             |structure, class| {
                 if structure.structure == base { None } else { class.speedup }
@@ -29,21 +138,21 @@ pub(super) fn speedups(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> 
 }
 
 /// Millions of rays per second of each structure, by class.
-pub(super) fn rates(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
-    let groups = groups(page, scene, |_, class| class.million_rays_per_second);
+pub(super) fn rates(looks: &Looks, scene: &SceneFigures) -> Option<Plot> {
+    let groups = groups(looks, scene, |_, class| class.million_rays_per_second);
     let title = format!("{}: million rays per second", scene.scene);
     let label = "million rays per second, with 95 % intervals (logarithmic)";
     dot_plot(&title, label, "", None, &groups)
 }
 
 fn groups(
-    page: &Page<'_>,
+    looks: &Looks,
     scene: &SceneFigures,
     value: impl Fn(&StructureFigures, &ClassFigures) -> Option<Estimate>,
 ) -> Vec<DotGroup> {
     let dot = |structure: &StructureFigures, class: RayClass| {
         Some(Dot {
-            look: page.looks.get(&structure.structure),
+            look: looks.get(&structure.structure),
             name: structure.structure.clone(),
             value: value(structure, structure.class(class)?)
                 .filter(Estimate::supports_a_statement)?,
@@ -57,13 +166,13 @@ fn groups(
 }
 
 /// Build against the mean ray, with the Pareto front.
-pub(super) fn pareto(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
+pub(super) fn pareto(looks: &Looks, scene: &SceneFigures) -> Option<Plot> {
     let with_cost = || scene.structures.iter().filter_map(|s| Some((s, s.cost()?)));
     let place = |cost: Cost| (cost.build_ns, cost.ray_ns);
     let series = with_cost().map(|(structure, cost)| {
         let front = if structure.on_pareto_front { " (front)" } else { "" };
         points(
-            page,
+            looks,
             &structure.structure,
             format!("{}{front}", structure.structure),
             vec![place(cost)],
@@ -101,7 +210,7 @@ fn stairs(front: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// Build and rays together against the number of rays; rings where a slower build has paid off.
-pub(super) fn break_even(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup> {
+pub(super) fn break_even(looks: &Looks, scene: &SceneFigures) -> Option<Plot> {
     let costs: Vec<_> = scene.structures.iter().filter_map(|s| Some((s, s.cost()?))).collect();
     let base = costs.iter().find(|(s, _)| Some(&s.structure) == scene.base.as_ref())?.1;
     costs.iter().find(|(structure, _)| structure.break_even.is_some())?;
@@ -115,7 +224,7 @@ pub(super) fn break_even(page: &Page<'_>, scene: &SceneFigures) -> Option<Markup
         (0..=60).map(|i| (at(i), total(cost, at(i)))).collect()
     };
     let series = costs.iter().map(|(structure, cost)| XySeries {
-        look: page.looks.get(&structure.structure),
+        look: looks.get(&structure.structure),
         name: structure.structure.clone(),
         // A marker at the end, so that lines do not differ by colour alone.
         points: vec![(last, total(*cost, last))],
@@ -146,7 +255,7 @@ fn rays_of(when: BreakEven) -> Option<f64> {
 }
 
 /// Time of a ray against size, with fitted power laws.
-pub(super) fn growth(page: &Page<'_>, sweep: &SweepFigures, class: RayClass) -> Option<Markup> {
+pub(super) fn growth(looks: &Looks, sweep: &SweepFigures, class: RayClass) -> Option<Plot> {
     let curves = sweep.curves.iter().filter(|curve| curve.class == class);
     let is_objects = sweep.unit == "objects";
     let label = if is_objects { "objects (logarithmic)" } else { "triangles (logarithmic)" };
@@ -158,7 +267,7 @@ pub(super) fn growth(page: &Page<'_>, sweep: &SweepFigures, class: RayClass) -> 
         ),
         x: Ends { label, units: COUNT },
         y: Ends { label: "time of a ray (logarithmic)", units: TIME },
-        series: curves.map(|curve| curve_series(page, curve)).collect(),
+        series: curves.map(|curve| curve_series(looks, curve)).collect(),
         path: Vec::new(),
         rings: Vec::new(),
         ring_meaning: "",
@@ -166,13 +275,13 @@ pub(super) fn growth(page: &Page<'_>, sweep: &SweepFigures, class: RayClass) -> 
     .draw()
 }
 
-fn curve_series(page: &Page<'_>, curve: &SweepCurve) -> XySeries {
+fn curve_series(looks: &Looks, curve: &SweepCurve) -> XySeries {
     let supported = || curve.values.iter().filter(|value| value.ns_per_ray.supports_a_statement());
     let sizes = || supported().map(|value| value.triangles as f64);
     let ns = || supported().map(|value| value.ns_per_ray);
     let slope = curve.fit.map(|fit| format!(", slope {:.2}", fit.slope)).unwrap_or_default();
     XySeries {
-        look: page.looks.get(&curve.structure),
+        look: looks.get(&curve.structure),
         name: format!("{}{slope}", curve.structure),
         points: sizes().zip(ns().map(|estimate| estimate.value)).collect(),
         intervals: ns().map(|estimate| estimate.interval.map(|i| (i.low, i.high))).collect(),
@@ -181,9 +290,9 @@ fn curve_series(page: &Page<'_>, curve: &SweepCurve) -> XySeries {
     }
 }
 
-fn points(page: &Page<'_>, structure: &str, name: String, points: Vec<(f64, f64)>) -> XySeries {
+fn points(looks: &Looks, structure: &str, name: String, points: Vec<(f64, f64)>) -> XySeries {
     XySeries {
-        look: page.looks.get(structure),
+        look: looks.get(structure),
         name,
         intervals: vec![None; points.len()],
         points,
@@ -200,7 +309,7 @@ pub(super) fn noise_scenes(analysis: &Analysis) -> Vec<&str> {
 }
 
 /// Noise against time, a line for each sampling method.
-pub(super) fn noise(analysis: &Analysis, scene: &str) -> Option<Markup> {
+pub(super) fn noise(analysis: &Analysis, scene: &str) -> Option<Plot> {
     let is_measured = |own: &&NoiseFigures| own.pairing == Pairing::EqualSamples;
     let measured = || analysis.noise.iter().filter(is_measured);
     let mut methods: Vec<&str> = Vec::new();
@@ -238,14 +347,14 @@ pub(super) fn noise(analysis: &Analysis, scene: &str) -> Option<Markup> {
 }
 
 /// Leaves by size, of those structures that have more than one.
-pub(super) fn leaves(page: &Page<'_>, scene: &SceneRecord) -> Option<Markup> {
+pub(super) fn leaves(looks: &Looks, scene: &SceneRecord) -> Option<Plot> {
     let bars: Vec<Bars> = scene
         .structures
         .iter()
         .filter_map(|structure| Some((structure, structure.shape.as_ref()?)))
         .filter(|(_, shape)| shape.leaves > 1)
         .map(|(structure, shape)| Bars {
-            look: page.looks.get(&structure.name),
+            look: looks.get(&structure.name),
             name: structure.name.clone(),
             counts: shape.leaf_sizes.clone(),
         })

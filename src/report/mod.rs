@@ -17,6 +17,7 @@
 //! ```
 
 mod csv;
+mod figures;
 mod html;
 mod json;
 mod limits;
@@ -33,6 +34,7 @@ use std::collections::BTreeMap;
 
 use crate::analysis::Analysis;
 use crate::record::Comparison;
+use plot::Looks;
 
 pub use json::{ReadError, read as read_json};
 pub use markdown::table_lines as markdown_table;
@@ -104,6 +106,22 @@ impl<'a> Report<'a> {
     #[must_use]
     pub fn html(&self, pictures: &Pictures) -> String {
         html::write(self, pictures)
+    }
+
+    /// The plots of the page as SVG files, with names for them that end in `.svg`: for papers and slides. They follow
+    /// light and dark, and name nothing outside.
+    #[must_use]
+    pub fn plots(&self) -> Vec<(String, String)> {
+        let plots = figures::all(self).into_iter();
+        plots.map(|(name, plot)| (format!("{name}.svg"), plot.file())).collect()
+    }
+
+    /// The looks of all structures of its scenes and sweeps.
+    fn looks(&self) -> Looks {
+        let scenes = self.comparison.scenes.iter().flat_map(|scene| &scene.structures);
+        let points = self.comparison.sweeps.iter().flat_map(|sweep| &sweep.points);
+        let names = scenes.map(|own| own.name.as_str());
+        Looks::of(names.chain(points.map(|point| point.structure.as_str())))
     }
 
     /// Text for a terminal: a table for each scene, then the verdicts.

@@ -15,6 +15,7 @@ mod frames;
 #[cfg(unix)]
 mod interrupt;
 mod mesh;
+mod meshes_as_scenes;
 mod outputs;
 mod packs;
 mod parts;

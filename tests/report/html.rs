@@ -89,3 +89,24 @@ fn a_missing_picture_is_reported() {
     let page = Report::new(&sample::full()).html(&BTreeMap::new());
     assert!(page.contains("pictures/bunny.png") && page.contains("is missing"));
 }
+
+/// The plots as files by themselves: those of the page, each with its heading and its style.
+#[test]
+fn plots_are_files_too() {
+    let comparison = sample::full();
+    let page = page("full", &comparison);
+    let plots: BTreeMap<String, String> = Report::new(&comparison).plots().into_iter().collect();
+    assert_eq!(plots.len(), page.matches("<figure class=\"plot\">").count());
+    let names = ["all-scenes-builds", "all-scenes-memory", "bunny-rates", "hall-speedup"];
+    assert!(names.iter().all(|name| plots.contains_key(&format!("{name}.svg"))));
+    for (name, text) in &plots {
+        assert!(text.starts_with("<svg xmlns=") && text.ends_with("</svg>\n"), "{name}");
+        assert!(text.contains("<style>") && text.contains("class=\"title\""), "{name}");
+        assert!(!text.contains("NaN") && !text.contains("inf"), "{name}");
+        for opened in ["svg", "g", "text", "title"] {
+            let count = |mark: &str| text.matches(mark).count();
+            let begun = count(&format!("<{opened}>")) + count(&format!("<{opened} "));
+            assert_eq!(begun, count(&format!("</{opened}>")), "{name}: {opened}");
+        }
+    }
+}

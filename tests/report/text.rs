@@ -207,6 +207,11 @@ fn the_mean_over_scenes_is_geometric_and_has_their_number() {
     assert!((mean.speedup - (ratio(0) * ratio(1)).sqrt()).abs() < 1e-12);
     let none = analysis.overall.iter().find(|own| own.structure == "none").unwrap();
     assert_eq!(none.scenes, 1, "it was too slow for the other");
+    let own = analysis.scenes[0].structure("cwbvh").unwrap();
+    let ratios = own.classes.iter().map(|class| class.speedup.unwrap().value.ln());
+    let expected = (ratios.sum::<f64>() / own.classes.len() as f64).exp();
+    let found = analysis.scenes[0].mean_speedup(own).unwrap();
+    assert!((found - expected).abs() < 1e-12 * expected, "{found} {expected}");
     let text = Report::new(&comparison).markdown();
     assert!(text.contains("### All scenes together") && text.contains("(2 scenes)"), "{text}");
     assert!(text.contains("### What was compared"));

@@ -5,7 +5,6 @@
 //! Its style is for light and dark screens, phones and paper.
 
 mod contents;
-mod figures;
 mod pictures;
 mod scene;
 mod table;
@@ -16,11 +15,10 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use sha2::{Digest, Sha256};
 
 use super::limits::{limits, weaknesses};
-use super::plot::Looks;
+use super::plot::{self, Looks};
 use super::sampling_verdict::sampling_verdict;
 use super::verdict::headline;
-use super::{Pictures, Report, tables};
-use crate::record::{Comparison, Sweep};
+use super::{Pictures, Report, figures, tables};
 use table::{bare, table};
 
 const STYLE: &str = include_str!("style.css");
@@ -43,16 +41,8 @@ struct Page<'a> {
 
 /// Writes the page: see [`Report::html`].
 pub(super) fn write(report: &Report<'_>, pictures: &Pictures) -> String {
-    let looks = Looks::of(structures(report.comparison));
-    let page = Page { report, pictures, looks };
+    let page = Page { report, pictures, looks: report.looks() };
     document(&page).into_string()
-}
-
-/// The structures of all scenes and sweeps, some of them several times.
-fn structures(comparison: &Comparison) -> impl Iterator<Item = &str> {
-    let scenes = comparison.scenes.iter().flat_map(|scene| &scene.structures);
-    let points = comparison.sweeps.iter().flat_map(|sweep: &Sweep| &sweep.points);
-    scenes.map(|s| s.name.as_str()).chain(points.map(|p| p.structure.as_str()))
 }
 
 fn document(page: &Page<'_>) -> Markup {
@@ -69,7 +59,7 @@ fn document(page: &Page<'_>) -> Markup {
                 meta name="generator" content=(format!("srt {}", page.report.comparison.run.version));
                 link rel="icon" href="data:,";
                 title { "srt compares " (names.join(", ")) }
-                style { (PreEscaped(STYLE)) }
+                style { (PreEscaped(plot::STYLE)) (PreEscaped(STYLE)) }
             }
             body {
                 header { (head(page)) }
@@ -140,7 +130,16 @@ fn conformance(page: &Page<'_>) -> Markup {
 fn overall(page: &Page<'_>) -> Markup {
     let own = tables::overall_table(page.report);
     html! {
-        @if !own.rows.is_empty() { section id="overall" { h2 { (own.title) } p class="note" { (own.note) } (bare(&own)) } }
+        @if !own.rows.is_empty() {
+            section id="overall" {
+                h2 { (own.title) }
+                p class="note" { (own.note) }
+                (bare(&own))
+                @for plot in [figures::speed_by_scene, figures::builds_by_scene, figures::memory_by_scene] {
+                    @if let Some(plot) = plot(&page.looks, page.report) { (plot) }
+                }
+            }
+        }
     }
 }
 
@@ -200,7 +199,7 @@ fn growth(page: &Page<'_>) -> Markup {
                 h2 { "Growth: " (sweep.mesh) }
                 p { "The same family of scenes at growing sizes. Dashed lines are power laws fitted to the medians. Their exponents are beside the names." }
                 @for class in figures.classes() {
-                    @if let Some(plot) = figures::growth(page, figures, class) { (plot) }
+                    @if let Some(plot) = figures::growth(&page.looks, figures, class) { (plot) }
                 }
                 @for own in tables::growth_tables(sweep, figures) { (table(&own)) }
             }

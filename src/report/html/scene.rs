@@ -3,10 +3,11 @@
 use maud::{Markup, html};
 
 use super::table::{bare, table};
-use super::{Page, figures, pictures};
+use super::{Page, pictures};
 use crate::analysis::SceneFigures;
 use crate::record::SceneRecord;
-use crate::report::{numbers, tables};
+use crate::report::plot::Plot;
+use crate::report::{figures, numbers, tables};
 
 /// Pictures, tables, plots and raw rounds of a scene.
 pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) -> Markup {
@@ -34,18 +35,18 @@ pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) 
             (table(&tables::ray_table(own)))
             @let hardware = tables::hardware_table(own);
             @if !hardware.rows.is_empty() { (table(&hardware)) }
-            (plots([figures::speedups(page, own), figures::rates(page, own)]))
+            (plots([figures::speedups(&page.looks, own), figures::rates(&page.looks, own)]))
             (table(&tables::structure_table(scene, own)))
             (table(&tables::stage_table(scene, page.report.comparison.run.options.threads)))
-            (plots([figures::leaves(page, scene), figures::pareto(page, own)]))
+            (plots([figures::leaves(&page.looks, scene), figures::pareto(&page.looks, own)]))
             (table(&tables::picture_table(own)))
-            (plots([figures::break_even(page, own), None]))
+            (plots([figures::break_even(&page.looks, own), None]))
             (rounds(scene))
         }
     }
 }
 
-fn plots(plots: [Option<Markup>; 2]) -> Markup {
+fn plots(plots: [Option<Plot>; 2]) -> Markup {
     html! { @for plot in plots.into_iter().flatten() { (plot) } }
 }
 

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::axis::{Axis, tick_label};
 use super::{
-    Drawing, Form, LEAST_AREA, Look, NARROW, WIDTH, at, figure, marker_with_value, text_width,
+    Drawing, Form, LEAST_AREA, Look, NARROW, Plot, WIDTH, at, marker_with_value, text_width,
 };
 use crate::record::Estimate;
 use crate::report::numbers;
@@ -45,9 +45,9 @@ pub(in crate::report) fn dot_plot(
     unit: &str,
     line_at: Option<f64>,
     groups: &[DotGroup],
-) -> Option<Markup> {
+) -> Option<Plot> {
     let groups: Vec<&DotGroup> = groups.iter().filter(|group| !group.dots.is_empty()).collect();
-    figure(title, &meaning(&groups, unit), |form| {
+    Plot::of(title, &meaning(&groups, unit), |form| {
         let dots = || groups.iter().flat_map(|group| &group.dots);
         let layout = Layout::of(form, dots().map(|dot| dot.name.as_str()));
         let axis = Axis::around(dots().flat_map(ends).chain(line_at), layout.area)?;

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::axis::{Axis, AxisKind};
-use super::{Drawing, Form, LEAST_AREA, Look, NARROW, WIDTH, at, figure, marker, text_width};
+use super::{Drawing, Form, LEAST_AREA, Look, NARROW, Plot, WIDTH, at, marker, text_width};
 
 const LEFT: f64 = 120.0;
 const RIGHT: f64 = 20.0;
@@ -31,13 +31,13 @@ pub(in crate::report) struct Bars {
 }
 
 /// Draws shares of leaves by size; `None` without any leaf.
-pub(in crate::report) fn histogram(title: &str, all: &[Bars]) -> Option<Markup> {
+pub(in crate::report) fn histogram(title: &str, all: &[Bars]) -> Option<Plot> {
     let all: Vec<&Bars> = all.iter().filter(|bars| bars.counts.iter().any(|&n| n > 0)).collect();
     let longest = all.iter().map(|bars| bars.counts.len()).max()?;
     let columns = longest.min(SIZES + 2);
     let shares: Vec<Vec<f64>> = all.iter().map(|bars| shares(&bars.counts)).collect();
     let largest = shares.iter().flatten().copied().fold(0.0, f64::max);
-    figure(title, &meaning(&all, &shares), |form| {
+    Plot::of(title, &meaning(&all, &shares), |form| {
         let names = text_width(all.iter().map(|bars| bars.name.as_str()));
         let (left, right, head) = match form {
             Form::Wide => {

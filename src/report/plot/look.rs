@@ -128,7 +128,7 @@ fn slot(name: &str) -> usize {
 mod tests {
     use super::*;
 
-    const STYLE: &str = include_str!("../html/style.css");
+    const STYLE: &str = super::super::STYLE;
 
     fn names(count: usize) -> Vec<String> {
         let others = (0..).map(|n| format!("bvh8:builder={n}"));

@@ -4,8 +4,7 @@ use maud::{Markup, html};
 
 use super::axis::{Axis, tick_label};
 use super::{
-    Drawing, Form, LEAST_AREA, Look, NARROW, WIDTH, at, figure, marker, marker_with_value,
-    text_width,
+    Drawing, Form, LEAST_AREA, Look, NARROW, Plot, WIDTH, at, marker, marker_with_value, text_width,
 };
 use crate::report::numbers::{self, Unit};
 
@@ -68,8 +67,8 @@ pub(in crate::report) struct XyPlot {
 
 impl XyPlot {
     /// Draws it; `None` if there is nothing with positive coordinates.
-    pub(in crate::report) fn draw(&self) -> Option<Markup> {
-        figure(&self.title, &self.meaning, |form| self.draw_in(form))
+    pub(in crate::report) fn draw(&self) -> Option<Plot> {
+        Plot::of(&self.title, &self.meaning, |form| self.draw_in(form))
     }
 
     fn draw_in(&self, form: Form) -> Option<Drawing> {
