@@ -4,6 +4,14 @@
 //! distance to the corners of the primitives' boxes, not only to the vertices: equal hits require
 //! that nothing a primitive's own box accepts is skipped (see [`Accel`]). For the fine meshes that
 //! a ball is meant for the two radii agree to within the size of a triangle.
+//!
+//! * *Paper*: Clark: *Hierarchical Geometric Models for Visible Surface Algorithms*, 1976, for the idea; Rubin,
+//!   Whitted:
+//!   *A 3-dimensional representation for fast rendering of complex scenes*, 1980, for rays.
+//! * *Build*: O(n).
+//! * *A ray*: one ball, and all n primitives if it is met.
+//! * *Memory*: 16 bytes.
+//! * *It wins*: over `none` where most rays miss the mesh. Over a tree never but for a few primitives.
 
 use std::io;
 use std::ops::{ControlFlow, Range};

@@ -5,6 +5,14 @@
 //! prunes with `<` and without padding, so it cannot keep the contract of [`Accel`]. The walk below
 //! does; for it, the boxes of both children are laid side by side in their parent, a cache line for
 //! each pair.
+//!
+//! * *Idea*: Primitives are parted, not space: each node has a box around what is below it.
+//! * *Paper*: Kay, Kajiya: *Ray Tracing Complex Scenes*, 1986, for the search of the nearer child first; Meister,
+//!   Bittner: *Parallel Locally-Ordered Clustering for Bounding Volume Hierarchy Construction*, 2018, for the build.
+//! * *Build*: O(n log n), in parallel.
+//! * *A ray*: O(log n) nodes in the mean, two boxes each.
+//! * *Memory*: 64 bytes a node, of which there are as many as leaves but one.
+//! * *It wins*: for single rays, and as what others are compared with: no scene is bad for it.
 
 mod save;
 

@@ -17,6 +17,8 @@
 //! | `octree.rs` | an octree |
 //! | `volumes/` | binary trees of bounding balls, and of polytopes between parallel planes |
 //!
+//! There is no BSP tree: its planes lie aslant, and the rules of equal hits are about boxes along the axes.
+//!
 //! What partitions of space share is in `cells/`, and `regions.rs` shows the parts of space of all structures.
 //! `refit.rs` lets the boxes of trees follow primitives that move.
 //! `save/` writes built structures to bytes and reads them back.
