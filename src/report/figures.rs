@@ -78,12 +78,17 @@ pub(super) fn builds_by_scene(looks: &Looks, report: &Report<'_>) -> Option<Plot
     .draw()
 }
 
-/// The memory of each structure by scene.
+/// The memory of each structure by scene: of the index, and of the primitives in it, which some structures copy.
 pub(super) fn memory_by_scene(looks: &Looks, report: &Report<'_>) -> Option<Plot> {
-    let value = |_: &SceneFigures, own: &StructureFigures| own.bytes_per_triangle;
+    let value = |scene: &SceneFigures, own: &StructureFigures| {
+        let scene = report.comparison.scenes.iter().find(|own| own.name == scene.scene)?;
+        let memory = scene.structure(&own.structure)?.memory.as_ref()?;
+        let things = scene.objects + scene.stored_triangles;
+        (things > 0).then(|| (memory.index_bytes + memory.primitive_bytes) as f64 / things as f64)
+    };
     LanePlot {
         title: "All scenes: memory".to_owned(),
-        label: "bytes of the index for each triangle in memory (logarithmic)".to_owned(),
+        label: "bytes for each object and each triangle in memory (logarithmic)".to_owned(),
         ..lanes(looks, report, value)?
     }
     .draw()
