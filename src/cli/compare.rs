@@ -10,6 +10,7 @@ use super::exit::{CommandResult, Exit, Failure};
 use super::fingerprint;
 use super::interrupt::Interrupt;
 use super::load::{Described, load, print_load_error};
+use super::mesh_scene::NamedMesh;
 use super::output::print;
 use super::ray_files::{self, RayFolder};
 use super::result_folder::{ResultFolder, encoded, pictures_in, read_record};
@@ -150,6 +151,10 @@ fn new_name(stem: &str, scenes: &[SceneInput]) -> String {
 }
 
 fn stem(path: &Path) -> String {
+    if let Some(NamedMesh::Generated(recipe)) = NamedMesh::of(path) {
+        // Files are named by it.
+        return recipe.split(':').skip(1).collect::<Vec<_>>().join("-");
+    }
     path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned())
 }
 
@@ -201,6 +206,7 @@ mod tests {
             default_name(&scenes)
         };
         assert!(folder(&["a/hall-x.sce"]).ends_with("-hall-x"));
+        assert!(folder(&["generate:hall:20k:1"]).ends_with("-hall-20k-1"));
         assert!(folder(&["hall-x.sce", "b.sce", "c.sce"]).ends_with("-hall-x-and-2-more"));
     }
 }

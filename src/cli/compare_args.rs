@@ -45,6 +45,10 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "NAMES", value_parser = Structures::default().list_parser())]
     pub(crate) accel: Vec<StructureList>,
 
+    /// The structure that ratios are taken to [default: none if it is compared, else the first]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) base: Option<String>,
+
     /// The classes of rays that are timed, separated by commas [default: view, shadow, mirror,
     /// refraction]
     #[arg(long, value_name = "CLASSES", value_delimiter = ',',
@@ -201,6 +205,10 @@ pub(crate) struct ReportArguments {
     /// The folder to write [default: that of FILE]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+
+    /// Take ratios to another structure of the report
+    #[arg(long, value_name = "NAME")]
+    pub(crate) base: Option<String>,
 
     /// Also write each plot of the page as an SVG file, into this folder
     #[arg(long, value_name = "DIR")]

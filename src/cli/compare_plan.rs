@@ -32,6 +32,7 @@ pub(super) fn plan(
     let mut plan = Plan::of_scenes(scenes);
     plan.command = command();
     plan.budget = Some(arguments.budget.unwrap_or(Duration::from_secs(seconds)));
+    plan.base.clone_from(&arguments.base);
     plan.rounds.at_least = arguments.rounds;
     plan.between_runs = arguments.between_runs;
     plan.build = BuildConfig { quality: arguments.build, ..BuildConfig::default() };

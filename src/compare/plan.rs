@@ -112,6 +112,8 @@ pub struct Plan {
     pub classes: Vec<RayClass>,
     /// How pictures are rendered.
     pub picture: PictureOptions,
+    /// The structure that ratios are taken to; where none is named, `none` if it is compared, else the first.
+    pub base: Option<String>,
     /// How structures are built.
     pub build: BuildConfig,
     /// Threads that render, and that builds on all threads use.
@@ -154,6 +156,7 @@ impl Plan {
             scenes,
             classes: Self::USUAL_CLASSES.to_vec(),
             picture: PictureOptions::default(),
+            base: None,
             build: BuildConfig::default(),
             threads: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
             budget: None,

@@ -68,6 +68,14 @@ pub enum CompareError {
         /// The name of two structures or two scenes.
         name: String,
     },
+    /// Ratios are to be taken to a structure that is not compared.
+    #[error("ratios cannot be taken to `{name}`, which is not compared: there are {compared}")]
+    Base {
+        /// The structure.
+        name: String,
+        /// Those that are compared.
+        compared: String,
+    },
     /// The system starts no threads.
     #[error("cannot start {threads} threads: {source}")]
     Threads {
@@ -78,25 +86,26 @@ pub enum CompareError {
     },
 }
 
-/// Compares structures by a plan. Ratios are taken to `none` if it is among them, else to the
-/// first. Structures that are not the program's own are checked for conformance before that; one that
-/// differs there is not timed.
+/// Compares structures by a plan. Ratios are taken to the plan's base. Structures that are not the program's own are
+/// checked for conformance before that; one that differs there is not timed.
 ///
 /// When the observer cancels, what is done until then is returned, marked as partial. A structure
 /// that panics or is too slow gets a row with the reason.
 ///
 /// # Errors
-/// Before any work: without structures, with two of a name, or if threads cannot be started.
+/// Before any work: without structures, with two of a name, with a base that is not among them, or if threads cannot be
+/// started.
 pub fn run(
     plan: &Plan,
     structures: &[Structure],
     observer: &dyn Observer,
 ) -> Result<ComparisonResult, CompareError> {
     check_names(plan, structures)?;
+    let base = base_name(plan, structures)?;
     let pools = Pools::start(plan.threads)
         .map_err(|(threads, source)| CompareError::Threads { threads, source })?;
     let start = Instant::now();
-    let mut comparison = Comparison::new(describe(plan), base_name(structures));
+    let mut comparison = Comparison::new(describe(plan), base);
     let before = Before::of(plan);
     let mut parts = Parts::new(plan, observer, &before);
     comparison.conformance = check_conformance(structures, &pools, parts.budget, observer);
@@ -183,10 +192,16 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// The structure that ratios are taken to: `none` if it is among them, else the first.
-fn base_name(structures: &[Structure]) -> &'static str {
-    let none = structures.iter().find(|structure| structure.name == "none");
-    none.or(structures.first()).map_or("", |base| base.name)
+/// The structure that ratios are taken to: the plan's, or `none` if it is among them, or the first.
+fn base_name(plan: &Plan, structures: &[Structure]) -> Result<&'static str, CompareError> {
+    let named = |name: &str| structures.iter().find(|structure| structure.name == name);
+    let Some(name) = &plan.base else {
+        return Ok(named("none").or(structures.first()).map_or("", |base| base.name));
+    };
+    named(name).map(|base| base.name).ok_or_else(|| {
+        let compared: Vec<&str> = structures.iter().map(|structure| structure.name).collect();
+        CompareError::Base { name: name.clone(), compared: compared.join(", ") }
+    })
 }
 
 /// There must be a structure, and no two structures or scenes of one name.

@@ -61,6 +61,27 @@ fn a_report_is_written_in_all_its_forms_and_again() {
         let read = |out: &Path| fs::read_to_string(out.join(file)).unwrap();
         assert!(read(&out) == read(&folder.path().join("again")), "{file} differs");
     }
+    let based =
+        ["report", "new/out/report.json", "--out", "based", "--base", "bvh", "--plots", "svg"];
+    good_run_in(folder.path(), &based);
+    assert_eq!(json(&folder.path().join("based/report.json"))["base"], "bvh");
+    let plot = fs::read_to_string(folder.path().join("svg/scene-rates.svg")).unwrap();
+    assert!(plot.starts_with("<svg"));
+    let run = run_in(folder.path(), &["report", "new/out/report.json", "--base", "bvh9"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("no `bvh9` to take ratios to: it has bvh, none"), "{}", run.stderr);
+}
+
+#[test]
+fn ratios_are_taken_to_the_structure_that_is_named() {
+    let folder = folder();
+    let quick = ["compare", "scene.sce", "--budget", "2", "--accel", "none,bvh", "--out", "out"];
+    good_run_in(folder.path(), &[&quick[..], &["--base", "bvh"]].concat());
+    assert_eq!(json(&folder.path().join("out/report.json"))["base"], "bvh");
+    let run = run_in(folder.path(), &[&quick[..], &["--base", "ball"]].concat());
+    assert_eq!(run.code, 2);
+    let reason = "ratios cannot be taken to `ball`, which is not compared: there are none, bvh";
+    assert!(run.stderr.contains(reason), "{}", run.stderr);
 }
 
 #[test]
