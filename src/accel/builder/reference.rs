@@ -38,6 +38,7 @@ impl Corners {
     }
 
     /// Half of the surface.
+    #[inline(always)]
     pub(super) fn half_area(&self) -> f32 {
         let [low, high] = self.halves();
         let size = high + low;
@@ -45,6 +46,7 @@ impl Corners {
     }
 
     /// As a box of obvhs's.
+    #[inline(always)]
     pub(super) fn aabb(&self) -> obvhs::aabb::Aabb {
         let [low, high] = self.halves();
         obvhs::aabb::Aabb { min: -Vec3A::from_vec4(low), max: Vec3A::from_vec4(high) }

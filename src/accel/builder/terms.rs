@@ -45,17 +45,20 @@ impl Effort {
 }
 
 /// What so many primitives cost: the packs that they fill, where `1 << pack_bits` are tested at once, and each of them.
+#[inline(always)]
 pub(super) fn cost_of(count: usize, pack_bits: u32) -> f32 {
     PACK_COST * count.div_ceil(1 << pack_bits) as f32 + count as f32
 }
 
 impl Terms {
     /// What primitives within a box of half this surface cost together.
+    #[inline(always)]
     pub(super) fn cost(&self, half_area: f32, count: usize) -> f32 {
         half_area * cost_of(count, self.pack_bits)
     }
 
     /// Up to so many primitives stay together without a look.
+    #[inline(always)]
     pub(super) fn unparted(&self) -> usize {
         let most = if self.effort.whole { self.most } else { self.most / 2 };
         most.max(1)
