@@ -107,13 +107,11 @@ impl TriangleSet {
         {
             return Err(error);
         }
-        let set = Self {
-            packs,
-            count,
-            mean_vertex: extent::mean_vertex(positions, triangles),
-            padding: Padding { largest: 0.0, factor: 1.0 },
-        };
-        set.padded()
+        let (mean_vertex, bounds) = extent::of_vertices(positions, triangles);
+        if let Some(error) = MeshError::of_bounds(&bounds) {
+            return Err(error);
+        }
+        Ok(Self { packs, count, mean_vertex, padding: Padding::of_bounds(&bounds) })
     }
 
     /// With the padding of the box around it; an error if that is out of the range of triangles.
@@ -156,7 +154,7 @@ impl TriangleSet {
                 before: self.count as usize,
             }));
         }
-        self.mean_vertex = extent::mean_vertex(positions, triangles);
+        self.mean_vertex = extent::of_vertices(positions, triangles).0;
         Ok(())
     }
 
@@ -222,6 +220,11 @@ impl Bounded for TriangleSet {
     #[inline]
     fn bounds(&self, index: u32) -> Aabb {
         self.slot(index).0.bounds()
+    }
+
+    #[inline(always)]
+    fn bounds_of_eight<S: Simd>(&self, first: u32) -> [Lanes3<S::F8>; 2] {
+        self.boxes::<S>(first as usize / PACK)
     }
 
     fn clipped_bounds(&self, index: u32, to: &Aabb) -> Aabb {

@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 
-use crate::math::Lanes as _;
+use crate::math::{Lanes as _, Mask as _};
 use crate::simd::{Row as _, Simd};
 
 use super::reference::{Centers, Corners, Reference};
@@ -75,26 +75,28 @@ impl Grid {
     /// What tells on which side of the place behind bin `last` along an axis a centre lies.
     #[inline(always)]
     pub(super) fn side(&self, axis: usize, last: usize) -> Side {
-        let mut limits = [f32::INFINITY; 4];
-        limits[axis % 3] = ROUND + last as f32;
-        Side { origin: self.origin, scale: self.scale, limits: Vec4::from_array(limits) }
+        let limit = ROUND + last as f32;
+        Side { axis, origin: self.origin[axis % 3], scale: self.scale[axis % 3], limit }
     }
 }
 
 /// A place between two bins.
 #[derive(Clone, Copy)]
 pub(super) struct Side {
-    origin: Vec4,
-    scale: Vec4,
-    /// The last bin before it; along the other axes no limit.
-    limits: Vec4,
+    axis: usize,
+    origin: f32,
+    scale: f32,
+    /// The last bin before it.
+    limit: f32,
 }
 
 impl Side {
-    /// Whether a centre lies before it: by the same rounding as [`Grid::places`].
+    /// Which of eight lanes lie before it, if all of them hold the centre of one primitive: all or none, by
+    /// the same rounding as [`Grid::places`].
     #[inline(always)]
-    pub(super) fn has(&self, center: Vec4) -> bool {
-        ((center - self.origin) * self.scale + Vec4::splat(ROUND)).cmple(self.limits).all()
+    pub(super) fn lanes_of<S: Simd>(&self, reference: &Reference) -> u32 {
+        let place = (reference.center_along(self.axis) - self.origin) * self.scale + ROUND;
+        S::F8::splat(place).le(S::F8::splat(self.limit)).bits()
     }
 }
 
@@ -109,8 +111,30 @@ impl Bins {
     #[inline(always)]
     pub(super) fn fill<S: Simd>(&mut self, references: &[Reference], grid: &Grid) {
         self.clear(grid);
-        for reference in references {
-            self.add::<S>(reference, grid);
+        // Neighbours are often in one bin, and wait for each other there: four that are far apart take turns.
+        let (turns, rest) = references.split_at(references.len() / 4 * 4);
+        let (first, last) = turns.split_at(turns.len() / 2);
+        let ((a, b), (c, d)) = (first.split_at(first.len() / 2), last.split_at(last.len() / 2));
+        if let Some(axis) = grid.only {
+            for i in 0..a.len() {
+                self.add_along::<S>(&a[i], axis, grid);
+                self.add_along::<S>(&b[i], axis, grid);
+                self.add_along::<S>(&c[i], axis, grid);
+                self.add_along::<S>(&d[i], axis, grid);
+            }
+            for reference in rest {
+                self.add_along::<S>(reference, axis, grid);
+            }
+        } else {
+            for i in 0..a.len() {
+                self.add::<S>(&a[i], grid);
+                self.add::<S>(&b[i], grid);
+                self.add::<S>(&c[i], grid);
+                self.add::<S>(&d[i], grid);
+            }
+            for reference in rest {
+                self.add::<S>(reference, grid);
+            }
         }
     }
 
@@ -128,7 +152,10 @@ impl Bins {
             // has all bits in disorder; the upper ones, times the stride, tell which it is.
             let disorder = u64::from((first as u32).wrapping_mul(2_654_435_769));
             let reference = &references[first + ((disorder * stride as u64) >> 32) as usize];
-            self.add::<S>(reference, grid);
+            match grid.only {
+                Some(axis) => self.add_along::<S>(reference, axis, grid),
+                None => self.add::<S>(reference, grid),
+            }
         }
     }
 
@@ -142,15 +169,20 @@ impl Bins {
 
     #[inline(always)]
     fn add<S: Simd>(&mut self, reference: &Reference, grid: &Grid) {
-        let places = grid.places(reference.center());
+        let [x, y, z] = grid.places(reference.center());
         let bounds = S::F8::load(&reference.0.0);
-        if let Some(axis) = grid.only {
-            add_to::<S>(&mut self.0[axis % 3], places[axis % 3], bounds);
-            return;
-        }
-        for (line, place) in self.0.iter_mut().zip(places) {
-            add_to::<S>(line, place, bounds);
-        }
+        let [of_x, of_y, of_z] = &mut self.0;
+        add_to::<S>(of_x, x, bounds);
+        add_to::<S>(of_y, y, bounds);
+        add_to::<S>(of_z, z, bounds);
+    }
+
+    #[inline(always)]
+    fn add_along<S: Simd>(&mut self, reference: &Reference, axis: usize, grid: &Grid) {
+        let (center, axis) = (reference.center_along(axis), axis % 3);
+        let place = (center - grid.origin[axis]) * grid.scale[axis] + ROUND;
+        let bounds = S::F8::load(&reference.0.0);
+        add_to::<S>(&mut self.0[axis], place.to_bits() as usize % BINS, bounds);
     }
 
     /// The cheapest place with primitives on both sides; none if all centres are in one bin.

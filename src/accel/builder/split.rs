@@ -98,15 +98,15 @@ fn part<S: Simd, const MEASURED: bool>(
     // does not: without a branch.
     for i in 0..references.len() {
         let reference = references[i];
-        let before = side.has(reference.center());
+        let before = side.lanes_of::<S>(&reference);
         if MEASURED {
-            let (bounds, mask) = (S::F8::load(&reference.0.0), u32::from(before).wrapping_neg());
-            left = left.max(bounds.select(mask, nothing));
-            right = right.max(nothing.select(mask, bounds));
+            let bounds = S::F8::load(&reference.0.0);
+            left = left.max(bounds.select(before, nothing));
+            right = right.max(nothing.select(before, bounds));
         }
         references[i] = references[front];
         references[front] = reference;
-        front += usize::from(before);
+        front += (before & 1) as usize;
     }
     let mut halves = [Corners::EMPTY; 2];
     left.store(&mut halves[0].0);

@@ -68,26 +68,30 @@ impl Kernel for BoundsOf<'_> {
     }
 }
 
-/// The mean of the vertices that the triangles use, each counted once: a file may hold others, and
-/// these are no part of the mesh.
-pub(super) fn mean_vertex(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec3A {
+/// The mean of the vertices that the triangles use, each counted once, and the box around these: a file may
+/// hold others, and these are no part of the mesh.
+pub(super) fn of_vertices(positions: &[Vec3], triangles: &[[u32; 3]]) -> (Vec3A, Aabb) {
     let used: Vec<_> = positions.iter().map(|_| AtomicBool::new(false)).collect();
     let mark = |&corner: &u32| used[corner as usize].store(true, Ordering::Relaxed);
     triangles.as_flattened().par_chunks(CHUNK).for_each(|corners| corners.iter().for_each(mark));
-    let sum_of = |(positions, used): (&[Vec3], &[AtomicBool])| {
+    let of_chunk = |(positions, used): (&[Vec3], &[AtomicBool])| {
         let mut sum = (DVec3::ZERO, 0u32);
-        for (position, used) in positions.iter().zip(used) {
+        let mut bounds = Aabb::EMPTY;
+        for (&position, used) in positions.iter().zip(used) {
             if used.load(Ordering::Relaxed) {
                 sum = (sum.0 + position.as_dvec3(), sum.1 + 1);
+                let point = Vec3A::from(position);
+                bounds = Aabb { min: bounds.min.min(point), max: bounds.max.max(point) };
             }
         }
-        sum
+        (sum, bounds)
     };
     // Added up in one order, whatever the number of threads.
-    let sums: Vec<_> =
-        positions.par_chunks(CHUNK).zip(used.par_chunks(CHUNK)).map(sum_of).collect();
-    let sum = sums.iter().fold((DVec3::ZERO, 0), |a, b| (a.0 + b.0, a.1 + b.1));
-    (sum.0 / f64::from(1.max(sum.1))).as_vec3a()
+    let chunks: Vec<_> =
+        positions.par_chunks(CHUNK).zip(used.par_chunks(CHUNK)).map(of_chunk).collect();
+    let sum = chunks.iter().fold((DVec3::ZERO, 0), |a, (b, _)| (a.0 + b.0, a.1 + b.1));
+    let bounds = chunks.iter().fold(Aabb::EMPTY, |all, (_, bounds)| all.union(*bounds));
+    ((sum.0 / f64::from(1.max(sum.1))).as_vec3a(), bounds)
 }
 
 #[cfg(test)]
@@ -104,6 +108,7 @@ mod tests {
             let set = TriangleSet::new(&positions, &triangles);
             let around = Aabb::of_points(positions.iter().map(|&p| p.into()));
             assert_eq!(bounds_of(&set), around, "{count}");
+            assert_eq!(of_vertices(&positions, &triangles).1, around, "{count}");
             let sum: DVec3 = positions.iter().map(|p| p.as_dvec3()).sum();
             let mean = sum / positions.len().max(1) as f64;
             let error = (set.mean_point().as_dvec3() - mean).length();
