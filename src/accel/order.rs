@@ -75,9 +75,11 @@ impl Order {
             .reduce(|| (0, true), |a, b| (a.0 + b.0, a.1 && b.1));
         // As many names as primitives, and all of these named: then none is named twice.
         let is_enough = matches!(self, Self::References(_)) || names == count as usize;
-        known && is_enough && named.par_chunks(CHUNK).all(|named| {
-            named.iter().all(|named| named.load(Ordering::Relaxed))
-        })
+        known
+            && is_enough
+            && named
+                .par_chunks(CHUNK)
+                .all(|named| named.iter().all(|named| named.load(Ordering::Relaxed)))
     }
 
     /// Which primitive has not its slots, if there is one.

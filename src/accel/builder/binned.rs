@@ -17,6 +17,7 @@ use crate::simd::{Kernel, Simd, dispatch};
 use super::super::{Bounded, BuildStages};
 use super::branch::Branch;
 use super::reference::{Centers, Corners, NOWHERE, Reference};
+use super::sorted::is_dense;
 use super::split::{Scratch, Splitting};
 use super::terms::Terms;
 
@@ -154,7 +155,7 @@ impl<'a> Part<'a> {
         let Self { references, centers, terms, .. } = self;
         let (terms, most) = (*terms, terms.most);
         let count = references.len();
-        if count <= terms.unparted() {
+        if count <= terms.unparted() || count <= most && is_dense::<S>(references, &self.bounds) {
             return None;
         }
         if depth < USUAL_DEPTH {

@@ -150,7 +150,10 @@ mod tests {
             assert_eq!(all.len(), boxes.len());
             for (index, (reference, bounds)) in (0..).zip(all.iter().zip(&boxes)) {
                 assert_eq!(reference.index(), index);
-                assert_eq!(reference.0.0.map(f32::to_bits), Reference::new(index, bounds).0.0.map(f32::to_bits));
+                assert_eq!(
+                    reference.0.0.map(f32::to_bits),
+                    Reference::new(index, bounds).0.0.map(f32::to_bits)
+                );
             }
         }
     }

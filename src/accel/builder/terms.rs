@@ -28,7 +28,8 @@ pub(super) struct Effort {
     pub(super) slack: f32,
     /// Whether splits are sought along the widest axis alone.
     pub(super) widest: bool,
-    /// Whether what fits into a leaf is one. Otherwise more than half of that is parted where it pays.
+    /// Whether what fits into a leaf is one. Otherwise more than half of that is parted where it pays, and looked at
+    /// where it could.
     pub(super) whole: bool,
 }
 
@@ -38,7 +39,7 @@ impl Effort {
         let close = Self { sample: 2048, slack: 1.25, widest: false, whole: false };
         match quality {
             Quality::Fastest => Self { sample: 64, slack: 4.0, widest: true, whole: true },
-            Quality::Fast => Self { whole: true, ..close },
+            Quality::Fast => Self { sample: 1024, whole: true, ..close },
             Quality::Medium | Quality::Slow | Quality::Slowest => close,
         }
     }

@@ -176,12 +176,29 @@ impl Kernel for LayOut<'_> {
     }
 }
 
-/// Sorts eight numbers by nineteen comparisons, the fewest that are the same whatever the numbers are: without a branch.
+/// Sorts eight numbers by nineteen comparisons, the same whatever the numbers are: without a branch.
 #[inline(always)]
 fn sort_eight(list: &mut [u32; 8]) {
     const PAIRS: [[usize; 2]; 19] = [
-        [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7], [0, 1], [2, 3], [4, 5],
-        [6, 7], [2, 4], [3, 5], [1, 4], [3, 6], [1, 2], [3, 4], [5, 6],
+        [0, 2],
+        [1, 3],
+        [4, 6],
+        [5, 7],
+        [0, 4],
+        [1, 5],
+        [2, 6],
+        [3, 7],
+        [0, 1],
+        [2, 3],
+        [4, 5],
+        [6, 7],
+        [2, 4],
+        [3, 5],
+        [1, 4],
+        [3, 6],
+        [1, 2],
+        [3, 4],
+        [5, 6],
     ];
     for [a, b] in PAIRS {
         (list[a], list[b]) = (list[a].min(list[b]), list[a].max(list[b]));
@@ -191,35 +208,39 @@ fn sort_eight(list: &mut [u32; 8]) {
 impl Wide {
     /// Puts subtrees behind each other, and their roots into their places.
     fn append(&mut self, open: &[Open], subtrees: &[Subtree], block: usize) {
-        let (first_node, first_slot) = (self.nodes.len(), self.order.len());
-        let nodes: usize = subtrees.iter().map(|subtree| subtree.below.nodes.len()).sum();
-        let slots: usize = subtrees.iter().map(|subtree| subtree.below.order.len()).sum();
-        self.nodes.reserve_exact(nodes);
-        ask_for_huge_pages(self.nodes.spare_capacity_mut());
-        self.nodes.resize(first_node + nodes, Node::EMPTY);
-        self.order.reserve_exact(slots);
-        self.order.resize(first_slot + slots, NONE);
-        let (top, mut nodes) = self.nodes.split_at_mut(first_node);
-        let (_, mut slots) = self.order.split_at_mut(first_slot);
-        let (mut node, mut slot) = (first_node, first_slot);
-        let mut copies = Vec::with_capacity(subtrees.len());
+        // The first node and the first slot of each subtree.
+        let mut starts = Vec::with_capacity(subtrees.len());
+        let (mut node, mut slot) = (self.nodes.len(), self.order.len());
         for (&Open { place, .. }, Subtree { root, below }) in open.iter().zip(subtrees) {
-            top[place] = root.moved(node, slot / block);
-            copies.push((
-                below,
-                nodes.split_off_mut(..below.nodes.len()).expect("all nodes were counted"),
-                slots.split_off_mut(..below.order.len()).expect("all slots were counted"),
-                (node, slot / block),
-            ));
+            self.nodes[place] = root.moved(node, slot / block);
+            starts.push((node, slot));
             node += below.nodes.len();
             slot += below.order.len();
         }
-        copies.into_par_iter().for_each(|(below, nodes, slots, (by_nodes, by_blocks))| {
-            for (to, from) in nodes.iter_mut().zip(&below.nodes) {
-                *to = from.moved(by_nodes, by_blocks);
+        // Written on all threads from the first, because memory that is new takes its time.
+        let moved = |place: usize| {
+            let behind = starts.partition_point(|&(node, _)| node <= place);
+            match (self.nodes.get(place), behind.checked_sub(1)) {
+                (None, Some(which)) => {
+                    let (node, slot) = starts[which];
+                    subtrees[which].below.nodes[place - node].moved(node, slot / block)
+                }
+                (top, _) => top.copied().unwrap_or(Node::EMPTY),
             }
-            slots.copy_from_slice(&below.order);
-        });
+        };
+        let mut nodes = Vec::with_capacity(node);
+        ask_for_huge_pages(nodes.spare_capacity_mut());
+        (0..node).into_par_iter().with_min_len(64).map(moved).collect_into_vec(&mut nodes);
+        let mut order = vec![0; slot];
+        let (top, mut slots) = order.split_at_mut(self.order.len());
+        top.copy_from_slice(&self.order);
+        let mut copies = Vec::with_capacity(subtrees.len());
+        for Subtree { below, .. } in subtrees {
+            let to = slots.split_off_mut(..below.order.len()).expect("all slots were counted");
+            copies.push((to, &below.order));
+        }
+        copies.into_par_iter().for_each(|(to, from)| to.copy_from_slice(from));
+        *self = Self { nodes, order };
     }
 }
 
