@@ -57,7 +57,8 @@ use std::ops::{ControlFlow, Range};
 use glam::Vec3A;
 
 use crate::counters::{Counters, Counts};
-use crate::math::{Aabb, BoxRay, Padding, Ray};
+use crate::math::{Aabb, BoxRay, Lanes3, Padding, Ray};
+use crate::simd::{Row as _, Simd};
 
 pub use ball::BoundingBall;
 pub use build::{Build, Built};
@@ -90,6 +91,28 @@ pub trait Bounded: Sync {
     fn count(&self) -> u32;
     /// The box of one of them. Never empty; all coordinates finite.
     fn bounds(&self, index: u32) -> Aabb;
+    /// The boxes of eight of them, from a multiple of eight on, by their low and their high corners, a box in
+    /// each lane. Lanes behind the last primitive may hold anything.
+    ///
+    /// The same boxes as [`bounds`](Self::bounds) gives, one by one. Primitives that stand in packs have all
+    /// eight at once.
+    #[inline(always)]
+    fn bounds_of_eight<S: Simd>(&self, first: u32) -> [Lanes3<S::F8>; 2] {
+        let mut corners = [[[0.0; PACK]; 3]; 2];
+        for (lane, index) in (first..self.count()).take(PACK).enumerate() {
+            let Aabb { min, max } = self.bounds(index);
+            for axis in 0..3 {
+                corners[0][axis][lane] = min[axis];
+                corners[1][axis][lane] = max[axis];
+            }
+        }
+        let [[a, b, c], [d, e, f]] = &corners;
+        [
+            [S::F8::load(a), S::F8::load(b), S::F8::load(c)],
+            [S::F8::load(d), S::F8::load(e), S::F8::load(f)],
+        ]
+    }
+
     /// A box around the part of one of them that lies within a box, for builders that split; empty
     /// where there is none. It lies within both boxes, and need not be the smallest.
     ///

@@ -1,6 +1,13 @@
 //! Which primitive stands in which slot, and whether such an order is whole.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+
 use crate::math::NONE;
+
+/// Slots that a thread looks at together.
+const CHUNK: usize = 1 << 14;
 
 /// For each slot the index of its primitive, or [`NONE`] where the slot stays empty, which is for
 /// primitives that are tested several at once ([`Build::grain`](super::Build::grain)).
@@ -47,12 +54,41 @@ impl Order {
     /// once.
     pub(super) fn fault(&self, count: u32, grain: u32) -> Option<String> {
         let empty = || self.slots().iter().position(|&slot| slot == NONE).filter(|_| grain == 1);
-        self.misnamed(count).or_else(|| {
+        let misnamed = if self.names_all(count) { None } else { self.misnamed(count) };
+        misnamed.or_else(|| {
             let slot = empty()?;
             Some(format!(
                 "the order leaves slot {slot} empty, of primitives that are tested one by one"
             ))
         })
+    }
+
+    /// Whether each primitive has its slots, found on all threads.
+    fn names_all(&self, count: u32) -> bool {
+        let named: Vec<_> = (0..count).map(|_| AtomicBool::new(false)).collect();
+        let name = |slots: &[u32]| {
+            let (mut names, mut known) = (0, true);
+            for &primitive in slots.iter().filter(|&&primitive| primitive != NONE) {
+                names += 1;
+                match named.get(primitive as usize) {
+                    Some(named) => named.store(true, Ordering::Relaxed),
+                    None => known = false,
+                }
+            }
+            (names, known)
+        };
+        let (names, known) = self
+            .slots()
+            .par_chunks(CHUNK)
+            .map(name)
+            .reduce(|| (0, true), |a, b| (a.0 + b.0, a.1 && b.1));
+        // As many names as primitives, and all of these named: then none is named twice.
+        let is_enough = matches!(self, Self::References(_)) || names == count as usize;
+        known
+            && is_enough
+            && named
+                .par_chunks(CHUNK)
+                .all(|named| named.iter().all(|named| named.load(Ordering::Relaxed)))
     }
 
     /// Which primitive has not its slots, if there is one.
@@ -101,7 +137,11 @@ mod tests {
 
     #[test]
     fn each_primitive_has_one_slot_in_a_permutation() {
-        let fault = |order: &[u32], count| Order::Permutation(order.to_vec()).misnamed(count);
+        let fault = |order: &[u32], count| {
+            let order = Order::Permutation(order.to_vec());
+            assert_eq!(order.names_all(count), order.misnamed(count).is_none());
+            order.misnamed(count)
+        };
         assert_eq!(fault(&[2, NONE, 0, 1, NONE], 3), None);
         assert_eq!(fault(&[], 0), None);
         let fault = |order: &[u32]| fault(order, 5).unwrap();
@@ -113,7 +153,11 @@ mod tests {
 
     #[test]
     fn each_primitive_has_some_slot_among_references() {
-        let fault = |order: &[u32]| Order::References(order.to_vec()).misnamed(3);
+        let fault = |order: &[u32]| {
+            let order = Order::References(order.to_vec());
+            assert_eq!(order.names_all(3), order.misnamed(3).is_none());
+            order.misnamed(3)
+        };
         assert_eq!(fault(&[2, 0, NONE, 1, 0, 2, 2]), None);
         assert_eq!(fault(&[2, 0, 2]).unwrap(), "the order names primitive 1 never");
         assert!(fault(&[0, 1, 2, 3]).unwrap().starts_with("the order names primitive 3, and"));

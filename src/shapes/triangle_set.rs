@@ -1,6 +1,7 @@
 //! The triangles of a mesh, eight to a pack, as structures offer them.
 
 mod extent;
+mod pack;
 mod save;
 
 use std::ops::Range;
@@ -15,8 +16,9 @@ use crate::math::slab::not_before;
 use crate::math::{
     Aabb, BoxRay, Hit, Lanes as _, Lanes3, Mask as _, NONE, Padding, Ray, ones, within,
 };
-use crate::simd::{Row, Simd, ask_for_huge_pages, prefetch};
+use crate::simd::{Row, Simd, prefetch};
 
+use self::pack::{PRIM, Pack, load3, pack, packs_of};
 use super::triangle::{flat_hit, scaled_hit};
 use super::{MeshError, Triangle, TriangleRay, TriangleRays};
 
@@ -31,22 +33,6 @@ pub struct TriangleSet {
     mean_vertex: Vec3A,
     padding: Padding,
 }
-
-/// Eight triangles in structure-of-arrays form, five cache lines. Empty lanes are all NaN, which
-/// nothing hits.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(64))]
-struct Pack {
-    /// A row of eight for each corner and axis, as bits of floats; then the indices in the mesh. In one array, so that
-    /// a row that a ray picks for a corner, by a number of two bits, is never out of bounds.
-    rows: [[u32; PACK]; ROWS],
-}
-
-/// Rows of a pack.
-const ROWS: usize = 10;
-
-/// The last row: the indices in the mesh.
-const PRIM: usize = 9;
 
 /// Four lanes of a pack: what rays that come one by one are tested with.
 #[derive(Clone, Copy)]
@@ -89,31 +75,27 @@ impl TriangleSet {
         // What is wrong is only noted here, where each triangle is at hand; a second look finds
         // which is the first.
         let sound = AtomicBool::new(true);
-        let triangle = |slot: usize| {
-            let corners =
-                triangles.get(slot)?.map(|corner| positions.get(corner as usize).copied());
-            if let [Some(a), Some(b), Some(c)] = corners {
-                let triangle = Triangle::new([a, b, c]);
-                if triangle.is_finite() {
-                    return Some((triangle, slot as u32));
-                }
-            }
-            sound.store(false, Ordering::Relaxed);
-            None
+        let used = extent::Used::none(positions.len());
+        let pack = |index: usize| {
+            let first = index * PACK;
+            let triangles = &triangles[first..triangles.len().min(first + PACK)];
+            let pack = Pack::of_mesh(positions, triangles, first as u32, &used);
+            pack.unwrap_or_else(|| {
+                sound.store(false, Ordering::Relaxed);
+                Pack::EMPTY
+            })
         };
-        let packs = pack(triangles.len(), triangle);
+        let packs = packs_of(triangles.len().div_ceil(PACK), pack);
         if !sound.into_inner()
             && let Some(error) = MeshError::of_first(positions, triangles)
         {
             return Err(error);
         }
-        let set = Self {
-            packs,
-            count,
-            mean_vertex: extent::mean_vertex(positions, triangles),
-            padding: Padding { largest: 0.0, factor: 1.0 },
-        };
-        set.padded()
+        let (mean_vertex, bounds) = used.mean_and_bounds(positions);
+        if let Some(error) = MeshError::of_bounds(&bounds) {
+            return Err(error);
+        }
+        Ok(Self { packs, count, mean_vertex, padding: Padding::of_bounds(&bounds) })
     }
 
     /// With the padding of the box around it; an error if that is out of the range of triangles.
@@ -156,7 +138,8 @@ impl TriangleSet {
                 before: self.count as usize,
             }));
         }
-        self.mean_vertex = extent::mean_vertex(positions, triangles);
+        self.mean_vertex =
+            extent::Used::by(triangles, positions.len()).mean_and_bounds(positions).0;
         Ok(())
     }
 
@@ -224,6 +207,11 @@ impl Bounded for TriangleSet {
         self.slot(index).0.bounds()
     }
 
+    #[inline(always)]
+    fn bounds_of_eight<S: Simd>(&self, first: u32) -> [Lanes3<S::F8>; 2] {
+        self.boxes::<S>(first as usize / PACK)
+    }
+
     fn clipped_bounds(&self, index: u32, to: &Aabb) -> Aabb {
         self.slot(index).0.clipped_bounds(to)
     }
@@ -250,7 +238,13 @@ impl Primitives for TriangleSet {
 
     fn reorder(&mut self, order: &[u32]) {
         let from = |slot: usize| order.get(slot).filter(|&&from| from != NONE);
-        self.packs = pack(order.len(), |slot| from(slot).map(|&from| self.slot(from)));
+        self.packs = pack(order.len(), |slot| {
+            // Triangles come from all over the mesh: what is two packs ahead is on its way meanwhile.
+            if let Some(&ahead) = from(slot + 2 * PACK) {
+                prefetch(&self.packs[ahead as usize / PACK]);
+            }
+            from(slot).map(|&from| self.slot(from))
+        });
     }
 
     #[inline]
@@ -358,44 +352,6 @@ impl Packs for TriangleSet {
     }
 }
 
-impl Pack {
-    const EMPTY: Self = {
-        let mut rows = [[f32::NAN.to_bits(); PACK]; ROWS];
-        rows[PRIM] = [NONE; PACK];
-        Self { rows }
-    };
-
-    fn set(&mut self, lane: usize, triangle: &Triangle, prim: u32) {
-        for (rows, corner) in self.rows.chunks_exact_mut(3).zip(triangle.corners) {
-            for (row, value) in rows.iter_mut().zip(corner.to_array()) {
-                row[lane] = value.to_bits();
-            }
-        }
-        self.rows[PRIM][lane] = prim;
-    }
-
-    /// A coordinate of a corner, by their numbers up to two, in a lane.
-    #[inline(always)]
-    fn coordinate(&self, corner: usize, axis: usize, lane: usize) -> f32 {
-        f32::from_bits(self.rows[3 * corner + axis][lane % PACK])
-    }
-
-    #[inline(always)]
-    fn triangle(&self, lane: usize) -> Triangle {
-        let corner = |corner| {
-            let [x, y, z] = [0, 1, 2].map(|axis| self.coordinate(corner, axis, lane));
-            Vec3::new(x, y, z)
-        };
-        Triangle::new([corner(0), corner(1), corner(2)])
-    }
-}
-
-/// Three rows of a pack.
-#[inline(always)]
-fn load3<S: Simd>(rows: &[[u32; PACK]; ROWS], [x, y, z]: [usize; 3]) -> Lanes3<S::F8> {
-    [S::F8::load_bits(&rows[x]), S::F8::load_bits(&rows[y]), S::F8::load_bits(&rows[z])]
-}
-
 impl Half<'_> {
     /// Four lanes of a corner, its axes in the order of a ray's.
     #[inline(always)]
@@ -458,24 +414,6 @@ impl Half<'_> {
     fn bounds(&self, lane: usize) -> Aabb {
         self.pack.triangle(self.first + lane).bounds()
     }
-}
-
-/// Packs with the triangles of so many slots and their ids.
-fn pack(slots: usize, triangle: impl Fn(usize) -> Option<(Triangle, u32)> + Sync) -> Vec<Pack> {
-    let filled = |index: usize| {
-        let mut pack = Pack::EMPTY;
-        for lane in 0..PACK {
-            if let Some((triangle, prim)) = triangle(index * PACK + lane) {
-                pack.set(lane, &triangle, prim);
-            }
-        }
-        pack
-    };
-    let count = slots.div_ceil(PACK);
-    let mut packs = Vec::with_capacity(count);
-    ask_for_huge_pages(packs.spare_capacity_mut());
-    (0..count).into_par_iter().map(filled).collect_into_vec(&mut packs);
-    packs
 }
 
 #[cfg(test)]

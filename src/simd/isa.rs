@@ -95,21 +95,24 @@ pub trait Kernel {
 /// Runs a kernel with the chosen instruction set; with the widest one, if the choice was an error.
 #[inline]
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    static ISA: OnceLock<Isa> = OnceLock::new();
-    let choose = || Isa::chosen().or_else(|_| Isa::from_name(None)).unwrap_or(Isa::Portable);
-    dispatch_to(*ISA.get_or_init(choose), kernel)
-}
-
-/// Runs a kernel with one instruction set, or with the portable one if it is not present.
-#[inline]
-fn dispatch_to<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
-    match isa {
-        // SAFETY: `is_present` checked that the processor has all features that the function enables.
+    match chosen_or_widest() {
+        // SAFETY: the processor has what was chosen.
         #[cfg(target_arch = "x86_64")]
-        Isa::Avx2 if isa.is_present() => unsafe { x86::run_avx2(kernel) },
+        Isa::Avx2 => unsafe { x86::run_avx2(kernel) },
         // SAFETY: as above.
         #[cfg(target_arch = "x86_64")]
-        Isa::Avx512 if isa.is_present() => unsafe { x86::run_avx512(kernel) },
+        Isa::Avx512 => unsafe { x86::run_avx512(kernel) },
         _ => kernel.run::<Portable>(),
     }
+}
+
+/// An instruction set that this processor has: looked up once, because kernels can be small.
+#[inline]
+fn chosen_or_widest() -> Isa {
+    static ISA: OnceLock<Isa> = OnceLock::new();
+    let choose = || {
+        let chosen = Isa::chosen().or_else(|_| Isa::from_name(None));
+        chosen.ok().filter(|isa| isa.is_present()).unwrap_or(Isa::Portable)
+    };
+    *ISA.get_or_init(choose)
 }

@@ -45,6 +45,11 @@ impl Simd for Portable {
     const FUSES: bool = false;
 
     #[inline(always)]
+    fn halves(row: Self::F8) -> [Vec4; 2] {
+        [row.0, row.1]
+    }
+
+    #[inline(always)]
     fn transpose(records: &[[f32; 8]; LANES]) -> [Self::F16; 8] {
         let mut rows = [[0.0; LANES]; 8];
         for (lane, record) in records.iter().enumerate() {

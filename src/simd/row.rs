@@ -1,5 +1,7 @@
 //! What a kernel needs of an instruction set.
 
+use glam::Vec4;
+
 use crate::math::{Lanes, Lanes3, Mask as _};
 
 /// `N` lanes that are loaded from memory and stored to it.
@@ -46,6 +48,8 @@ pub trait Simd: Copy + Send + Sync + 'static {
     /// fused form) or the origin.
     const FUSES: bool;
 
+    /// The lower and the upper four lanes.
+    fn halves(row: Self::F8) -> [Vec4; 2];
     /// Sixteen records of eight floats as eight rows, the first of which has all first floats.
     fn transpose(records: &[[f32; 8]; LANES]) -> [Self::F16; 8];
     /// Eight rows, the first of which has all first floats of eight records, as these records, or the other way round.

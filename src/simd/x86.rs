@@ -11,6 +11,8 @@ use std::arch::asm;
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
+use glam::Vec4;
+
 use crate::math::{Lanes, Mask};
 
 use super::pair::Pair;
@@ -433,6 +435,12 @@ fn store_words(words: &mut [u32; 8], values: __m256i) {
     op!(_mm256_storeu_si256(words.as_mut_ptr().cast(), values));
 }
 
+/// The lower and the upper four floats.
+#[inline(always)]
+fn halves(row: __m256) -> [Vec4; 2] {
+    op!([_mm256_castps256_ps128(row).into(), _mm256_extractf128_ps::<1>(row).into()])
+}
+
 /// Eight records of eight floats as eight rows.
 #[inline(always)]
 fn transposed(r: &[[f32; 8]]) -> [__m256; 8] {
@@ -485,6 +493,11 @@ impl Simd for Avx2 {
     type F16 = Pair<Eight>;
 
     const FUSES: bool = true;
+
+    #[inline(always)]
+    fn halves(row: Eight) -> [Vec4; 2] {
+        halves(row.0)
+    }
 
     #[inline(always)]
     fn transpose(records: &[[f32; 8]; 16]) -> [Pair<Eight>; 8] {
@@ -554,6 +567,11 @@ impl Simd for Avx512 {
     type F16 = Sixteen;
 
     const FUSES: bool = true;
+
+    #[inline(always)]
+    fn halves(row: MaskedEight) -> [Vec4; 2] {
+        halves(row.0)
+    }
 
     #[inline(always)]
     fn transpose(records: &[[f32; 8]; 16]) -> [Sixteen; 8] {

@@ -12,11 +12,12 @@ use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 use rayon::prelude::*;
 
-use crate::simd::dispatch;
+use crate::simd::{Kernel, Simd, dispatch};
 
 use super::super::{Bounded, BuildStages};
 use super::branch::Branch;
 use super::reference::{Centers, Corners, NOWHERE, Reference};
+use super::sorted::is_dense;
 use super::split::{Scratch, Splitting};
 use super::terms::Terms;
 
@@ -68,40 +69,78 @@ struct Part<'a> {
 
 /// Builds a node and those below it.
 fn grow(mut part: Part<'_>, depth: u32) -> Branch {
-    let scratch = &mut *Scratch::new();
-    let bounds = part.bounds.aabb();
     if part.references.len() < PARALLEL {
-        // Where leaves hold several primitives, they are more than half full.
-        let leaves = part.references.len().div_ceil(part.terms.most.min(2));
-        let mut nodes = Vec::with_capacity(2 * leaves);
-        nodes.push(Bvh2Node::default());
-        grow_in_sequence(part, (&mut nodes, 0), depth, scratch);
-        return Branch::Grown(nodes);
+        return Branch::Grown(dispatch(Growing { part, depth }));
     }
-    let halves = part.split(depth, scratch).expect("a large part is no leaf");
-    let [left, right] = part.halves(halves);
+    let bounds = part.bounds.aabb();
+    let scratch = &mut *Scratch::new();
+    let halves = dispatch(Halving { part: &mut part, depth, scratch });
+    let [left, right] = part.halves(halves.expect("a large part is no leaf"));
     let (left, right) = rayon::join(|| grow(left, depth + 1), || grow(right, depth + 1));
     Branch::Fork(bounds, Box::new([left, right]))
 }
 
-/// Builds a node at a place among others, and those below it behind all of them.
-fn grow_in_sequence(
-    mut part: Part<'_>,
-    (nodes, place): (&mut Vec<Bvh2Node>, usize),
+/// Splits the primitives of a part.
+struct Halving<'a, 'b> {
+    part: &'a mut Part<'b>,
     depth: u32,
-    scratch: &mut Scratch,
-) {
-    let bounds = part.bounds.aabb();
-    let Some(halves) = part.split(depth, scratch) else {
-        nodes[place] = Bvh2Node::new(bounds, part.references.len() as u32, part.first);
-        return;
-    };
-    let [left, right] = part.halves(halves);
-    let below = nodes.len();
-    nodes[place] = Bvh2Node::new(bounds, 0, below as u32);
-    nodes.extend([Bvh2Node::default(); 2]);
-    grow_in_sequence(left, (nodes, below), depth + 1, scratch);
-    grow_in_sequence(right, (nodes, below + 1), depth + 1, scratch);
+    scratch: &'a mut Scratch,
+}
+
+impl Kernel for Halving<'_, '_> {
+    type Output = Option<Halves>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Self::Output {
+        self.part.split::<S>(self.depth, self.scratch)
+    }
+}
+
+/// Builds a node and those below it on one thread: as one kernel, so that nothing is chosen or called
+/// for each of them.
+struct Growing<'a> {
+    part: Part<'a>,
+    depth: u32,
+}
+
+/// A part that a node is still to be built over.
+struct Open<'a> {
+    part: Part<'a>,
+    depth: u32,
+    /// The place of the node.
+    place: usize,
+}
+
+impl Kernel for Growing<'_> {
+    type Output = Vec<Bvh2Node>;
+
+    /// Nodes are in the order of a walk that goes to the left first, both children of one side by side.
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Self::Output {
+        let Self { part, depth } = self;
+        let scratch = &mut *Scratch::new();
+        // Where leaves hold several primitives, they are more than half full.
+        let leaves = part.references.len().div_ceil(part.terms.most.min(2));
+        let mut nodes = Vec::with_capacity(2 * leaves);
+        nodes.push(Bvh2Node::default());
+        let mut open = Vec::with_capacity(USUAL_DEPTH as usize);
+        open.push(Open { part, depth, place: 0 });
+        while let Some(Open { mut part, depth, place }) = open.pop() {
+            let bounds = part.bounds.aabb();
+            let Some(halves) = part.split::<S>(depth, scratch) else {
+                nodes[place] = Bvh2Node::new(bounds, part.references.len() as u32, part.first);
+                continue;
+            };
+            let [left, right] = part.halves(halves);
+            let below = nodes.len();
+            nodes[place] = Bvh2Node::new(bounds, 0, below as u32);
+            nodes.push(Bvh2Node::default());
+            nodes.push(Bvh2Node::default());
+            open.push(Open { part: right, depth: depth + 1, place: below + 1 });
+            open.push(Open { part: left, depth: depth + 1, place: below });
+        }
+        nodes
+    }
 }
 
 /// How many primitives are in the first half of a part, the boxes around both halves and around their
@@ -111,15 +150,17 @@ type Halves = (usize, [Corners; 2], [Centers; 2]);
 impl<'a> Part<'a> {
     /// Splits the primitives in place. Returns how many are in the first half, the boxes around both
     /// and around their centres; nothing if they are to be a leaf.
-    fn split(&mut self, depth: u32, scratch: &mut Scratch) -> Option<Halves> {
+    #[inline(always)]
+    fn split<S: Simd>(&mut self, depth: u32, scratch: &mut Scratch) -> Option<Halves> {
         let Self { references, centers, terms, .. } = self;
         let (terms, most) = (*terms, terms.most);
         let count = references.len();
-        if count <= terms.unparted() {
+        if count <= terms.unparted() || count <= most && is_dense::<S>(references, &self.bounds) {
             return None;
         }
         if depth < USUAL_DEPTH {
-            let (best, centers) = dispatch(Splitting { references, centers, terms, scratch });
+            let splitting = Splitting { references, centers, terms, scratch };
+            let (best, centers) = splitting.run::<S>();
             if count <= most && terms.cost(self.bounds.half_area(), count) <= best.cost {
                 return None;
             }
@@ -135,17 +176,20 @@ impl<'a> Part<'a> {
         Some((count / 2, [left.0, right.0], [left.1, right.1]))
     }
 
+    #[inline(always)]
     fn halves(self, (count, bounds, centers): Halves) -> [Self; 2] {
         let Self { references, first, terms, .. } = self;
         let (front, back) = references.split_at_mut(count);
-        let part = |references, first, side: usize| Part {
-            references,
-            first,
-            bounds: bounds[side],
-            centers: centers[side],
-            terms,
-        };
-        [part(front, first, 0), part(back, first + count as u32, 1)]
+        [
+            Part { references: front, first, bounds: bounds[0], centers: centers[0], terms },
+            Part {
+                references: back,
+                first: first + count as u32,
+                bounds: bounds[1],
+                centers: centers[1],
+                terms,
+            },
+        ]
     }
 }
 

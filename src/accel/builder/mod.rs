@@ -163,8 +163,11 @@ pub(super) fn reinsert(tree: &mut Bvh2, share: f32, stages: &mut BuildStages) {
 
 #[cfg(test)]
 mod tests {
+    use std::hash::{DefaultHasher as Hasher, Hash as _, Hasher as _};
+
     use super::*;
     use crate::math::Random;
+    use crate::simd::Isa;
 
     const BUILDERS: [Builder; 7] = Builder::ALL;
 
@@ -259,6 +262,38 @@ mod tests {
             assert_eq!(one.primitive_indices, three.primitive_indices);
             assert_eq!(format!("{:?}", one.nodes), format!("{:?}", three.nodes));
         }
+    }
+
+    /// The trees of bins as words, in one hash. On each instruction set a process of its own: it is chosen once.
+    #[test]
+    fn the_instruction_set_changes_no_tree() {
+        const ASKED: &str = "SRT_TEST_TREES";
+        const ANSWER: &str = "trees ";
+        if std::env::var_os(ASKED).is_some() {
+            let mut hash = Hasher::new();
+            for (count, quality) in [(3_000, Quality::Medium), (40_000, Quality::Medium)]
+                .into_iter()
+                .chain([(40_000, Quality::Fastest)])
+            {
+                let tree = tree(Builder::Sah, &boxes(count), [8, 8], quality);
+                tree.primitive_indices.iter().for_each(|index| index.hash(&mut hash));
+                format!("{:?}", tree.nodes).hash(&mut hash);
+            }
+            println!("{ANSWER}{}", hash.finish());
+            return;
+        }
+        let on = |isa: Isa| {
+            let name = "accel::builder::tests::the_instruction_set_changes_no_tree";
+            let test = std::process::Command::new(std::env::current_exe().unwrap())
+                .args(["--exact", name, "--nocapture"])
+                .envs([(ASKED, "1"), ("SRT_ISA", isa.name())])
+                .output();
+            let output = String::from_utf8(test.unwrap().stdout).unwrap();
+            let answer = output.split_once(ANSWER).unwrap_or_else(|| panic!("{output}")).1;
+            answer.lines().next().unwrap().to_owned()
+        };
+        let trees: Vec<_> = Isa::ALL.into_iter().filter(|isa| isa.is_present()).map(on).collect();
+        assert!(trees.iter().all(|tree| *tree == trees[0]), "{trees:?}");
     }
 
     #[test]

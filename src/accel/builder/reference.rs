@@ -3,9 +3,11 @@
 use glam::{Vec3A, Vec4};
 use rayon::prelude::*;
 
-use super::super::Bounded;
+use super::super::{Bounded, PACK};
+#[cfg(test)]
 use crate::math::Aabb;
-use crate::simd::ask_for_huge_pages;
+use crate::math::Lanes as _;
+use crate::simd::{Kernel, Row as _, Simd, ask_for_huge_pages, dispatch};
 
 /// A box as a row of eight: the low corner with its signs changed, and the high corner. So the box
 /// around two boxes is one maximum. The fourth lane of either corner holds something else.
@@ -20,8 +22,8 @@ impl Corners {
     /// Both corners, the low one with its signs changed.
     #[inline(always)]
     fn halves(&self) -> [Vec4; 2] {
-        let (halves, _) = self.0.as_chunks::<4>();
-        [Vec4::from_array(halves[0]), Vec4::from_array(halves[1])]
+        // By slices: of arrays the compiler loads some floats one by one.
+        [Vec4::from_slice(&self.0[..4]), Vec4::from_slice(&self.0[4..])]
     }
 
     /// The box around two boxes.
@@ -55,6 +57,7 @@ impl Corners {
     }
 
     /// Half of the surface.
+    #[inline(always)]
     pub(super) fn half_area(&self) -> f32 {
         let [low, high] = self.halves();
         let size = high + low;
@@ -62,6 +65,7 @@ impl Corners {
     }
 
     /// As a box of obvhs's.
+    #[inline(always)]
     pub(super) fn aabb(&self) -> obvhs::aabb::Aabb {
         let [low, high] = self.halves();
         obvhs::aabb::Aabb { min: -Vec3A::from_vec4(low), max: Vec3A::from_vec4(high) }
@@ -82,16 +86,19 @@ pub(super) struct Reference(pub(super) Corners);
 impl Reference {
     /// Those of all primitives, by their indices.
     pub(super) fn all(primitives: &impl Bounded) -> Vec<Self> {
-        let mut references = Vec::with_capacity(primitives.count() as usize);
-        ask_for_huge_pages(references.spare_capacity_mut());
-        (0..primitives.count())
+        let count = primitives.count() as usize;
+        let mut eights = Vec::with_capacity(count.div_ceil(PACK));
+        ask_for_huge_pages(eights.spare_capacity_mut());
+        (0..count.div_ceil(PACK))
             .into_par_iter()
-            .map(|index| Self::new(index, &primitives.bounds(index)))
-            .collect_into_vec(&mut references);
+            .map(|eight| dispatch(Eight { primitives, first: (eight * PACK) as u32 }))
+            .collect_into_vec(&mut eights);
+        let mut references = eights.into_flattened();
+        references.truncate(count);
         references
     }
 
-    #[inline]
+    #[cfg(test)]
     pub(super) fn new(index: u32, bounds: &Aabb) -> Self {
         let [low, high] = [(-bounds.min).to_array(), bounds.max.to_array()];
         let halves = [(index & 0xffff) as f32, (index >> 16) as f32];
@@ -103,10 +110,68 @@ impl Reference {
         low as u32 | (high as u32) << 16
     }
 
+    /// Twice the centre of the box along an axis.
+    #[inline(always)]
+    pub(super) fn center_along(&self, axis: usize) -> f32 {
+        self.0.0[axis % 3 + 4] - self.0.0[axis % 3]
+    }
+
     /// Twice the centre of the box.
     #[inline(always)]
     pub(super) fn center(&self) -> Vec4 {
         let [low, high] = self.0.halves();
         high - low
+    }
+}
+
+/// Eight primitives, from a multiple of eight on: what stands behind the last is not specified.
+struct Eight<'a, P> {
+    primitives: &'a P,
+    first: u32,
+}
+
+impl<P: Bounded> Kernel for Eight<'_, P> {
+    type Output = [Reference; PACK];
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Self::Output {
+        let [low, high] = self.primitives.bounds_of_eight::<S>(self.first);
+        let minus = S::F8::splat(-1.0);
+        let lower = S::F8::splat((self.first & 0xffff) as f32);
+        let lower = lower + S::F8::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+        let upper = S::F8::splat((self.first >> 16) as f32);
+        let [x, y, z] = low;
+        let (x, y, z) = (x.flipped_by(minus), y.flipped_by(minus), z.flipped_by(minus));
+        let records = S::transpose_eight([x, y, z, lower, high[0], high[1], high[2], upper]);
+        let mut references = [Reference(Corners::EMPTY); PACK];
+        for (reference, record) in references.iter_mut().zip(records) {
+            record.store(&mut reference.0.0);
+        }
+        references
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Boxes;
+    use super::*;
+    use glam::Vec3A;
+
+    #[test]
+    fn references_are_the_boxes_one_by_one() {
+        for count in [1, 7, 8, 9, 70_000] {
+            let at = |i: u32| Vec3A::new(i as f32, -(i as f32) / 7.0, 0.0);
+            let boxes: Vec<_> =
+                (0..count).map(|i| Aabb { min: at(i), max: at(i) + Vec3A::ONE }).collect();
+            let all = Reference::all(&Boxes(boxes.clone()));
+            assert_eq!(all.len(), boxes.len());
+            for (index, (reference, bounds)) in (0..).zip(all.iter().zip(&boxes)) {
+                assert_eq!(reference.index(), index);
+                assert_eq!(
+                    reference.0.0.map(f32::to_bits),
+                    Reference::new(index, bounds).0.0.map(f32::to_bits)
+                );
+            }
+        }
     }
 }

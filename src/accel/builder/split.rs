@@ -1,17 +1,19 @@
 //! The split of a node: all of a few primitives' places are weighed, more are binned, and of many a
 //! sample is.
 
+use glam::Vec4;
+
 use crate::math::Lanes as _;
 use crate::simd::{Kernel, Row as _, Simd};
 
 use super::bins::{Bins, Grid};
 use super::reference::{Centers, Corners, NOWHERE, Reference};
 use super::sorted::{FEW, sort_and_part};
-use super::sweep::{Best, Line, Sweep};
+use super::sweep::{Best, LONGEST, Line, MOST_COUNTED, NOTHING, Sweep};
 use super::terms::{Effort, Terms};
 
-/// Of so many primitives or fewer the box around the centres is found anew.
-const TIGHT: usize = 128;
+/// Of so many primitives or fewer the box around the centres is found anew, if all axes are looked at.
+const TIGHT: usize = 32;
 
 /// Memory that splits need.
 pub(super) struct Scratch {
@@ -22,7 +24,7 @@ pub(super) struct Scratch {
 
 impl Scratch {
     pub(super) fn new() -> Box<Self> {
-        Box::new(Self { bins: Bins::EMPTY, line: Line::EMPTY, sweep: Sweep::NEW })
+        Box::new(Self { bins: Bins::EMPTY, line: [NOTHING; LONGEST], sweep: Sweep::NEW })
     }
 }
 
@@ -48,15 +50,11 @@ impl Kernel for Splitting<'_> {
             return (sort_and_part::<S>(references, terms, (line, sweep)), [NOWHERE; 2]);
         }
         let mut centers = *centers;
-        if count <= TIGHT {
-            centers = NOWHERE;
-            for reference in &*references {
-                let center = reference.center();
-                centers = [centers[0].min(center), centers[1].max(center)];
-            }
+        if count <= TIGHT && !widest {
+            centers = around_centers::<S>(references);
         }
-        let grid = Grid::new(centers, count, widest);
         if count >= 2 * sample {
+            let grid = Grid::new(centers, sample, widest);
             bins.fill_sample::<S>(references, count / sample, &grid);
             // A sample says nothing of whole packs.
             let mut best = bins.best::<S>(&grid, 0, sweep);
@@ -72,13 +70,40 @@ impl Kernel for Splitting<'_> {
                 }
             }
         }
+        let grid = Grid::new(centers, count, widest);
         bins.fill::<S>(references, &grid);
         let mut best = bins.best::<S>(&grid, terms.pack_bits, sweep);
-        // Boxes that are not finite may be on either side.
-        if best.count > 0 && part::<S, false>(references, &grid, &best).0 != best.count {
+        if best.count > 0 && count > MOST_COUNTED {
+            let (front, halves) = part::<S, true>(references, &grid, &best);
+            (best.count, best.halves) = (if front < count { front } else { 0 }, halves);
+        } else if best.count > 0 && part::<S, false>(references, &grid, &best).0 != best.count {
+            // Boxes that are not finite may be on either side.
             best.count = 0;
         }
         (best, grid.halves(&best))
+    }
+}
+
+/// The box around twice the centres of at least four primitives.
+#[inline(always)]
+fn around_centers<S: Simd>(references: &[Reference]) -> Centers {
+    // Four at a time, so that none waits for the one before it; the last four may be some of those before.
+    let mut low = [NOWHERE[0]; 4];
+    let mut high = [NOWHERE[1]; 4];
+    let (fours, _) = references.as_chunks::<4>();
+    let last = references.last_chunk::<4>().expect("there are more than a few");
+    for four in fours {
+        widen::<S>(four, &mut low, &mut high);
+    }
+    widen::<S>(last, &mut low, &mut high);
+    [low[0].min(low[1]).min(low[2].min(low[3])), high[0].max(high[1]).max(high[2].max(high[3]))]
+}
+
+#[inline(always)]
+fn widen<S: Simd>(four: &[Reference; 4], low: &mut [Vec4; 4], high: &mut [Vec4; 4]) {
+    for i in 0..4 {
+        let [from, to] = S::halves(S::F8::load(&four[i].0.0));
+        (low[i], high[i]) = (low[i].min(to - from), high[i].max(to - from));
     }
 }
 
@@ -97,16 +122,19 @@ fn part<S: Simd, const MEASURED: bool>(
     // Each goes to the front, and one that belongs to the back is overwritten by the next that
     // does not: without a branch.
     for i in 0..references.len() {
-        let reference = references[i];
-        let before = side.has(reference.center());
+        let place = side.place(&references[i]);
+        let reference = S::F8::load(&references[i].0.0);
+        let first = S::F8::load(&references[front].0.0);
+        first.store(&mut references[i].0.0);
+        reference.store(&mut references[front].0.0);
         if MEASURED {
-            let (bounds, mask) = (S::F8::load(&reference.0.0), u32::from(before).wrapping_neg());
-            left = left.max(bounds.select(mask, nothing));
-            right = right.max(nothing.select(mask, bounds));
+            let before = side.lanes_before::<S>(place);
+            left = left.max(reference.select(before, nothing));
+            right = right.max(nothing.select(before, reference));
+            front += (before & 1) as usize;
+        } else {
+            front += usize::from(side.is_before(place));
         }
-        references[i] = references[front];
-        references[front] = reference;
-        front += usize::from(before);
     }
     let mut halves = [Corners::EMPTY; 2];
     left.store(&mut halves[0].0);

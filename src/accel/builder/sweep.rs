@@ -1,8 +1,10 @@
 //! The cheapest place to part a row of boxes, by the surface area heuristic.
 //!
-//! Boxes are united from the left and from the right; then sixteen places are weighed at once.
+//! Boxes are united from the left and from the right; then eight or sixteen places are weighed at once.
+//! Rows have eight, sixteen or thirty-two boxes, whether all are used or not: no loop ends early, and the
+//! processor has nothing to guess.
 
-use crate::math::{Lanes as _, Mask as _};
+use crate::math::{Lanes, Mask as _};
 use crate::simd::{LANES, Row as _, Simd};
 
 use super::reference::Corners;
@@ -11,16 +13,39 @@ use super::terms::PACK_COST;
 /// The most boxes in a line: two rows of lanes.
 pub(super) const LONGEST: usize = 2 * LANES;
 
-/// Boxes along an axis, in ascending order, and how many primitives are in each.
-#[derive(Clone)]
-pub(super) struct Line {
-    pub(super) boxes: [Corners; LONGEST],
-    pub(super) counts: [u32; LONGEST],
+/// The lane of a box that counts the primitives in it, as a whole number: exact up to 2²⁴ of them.
+const COUNT: usize = 3;
+
+/// The mask of this lane.
+const COUNTED: u32 = 1 << COUNT;
+
+/// More whole numbers than these a float does not count.
+pub(super) const MOST_COUNTED: usize = 1 << 24;
+
+/// Added to 2²³ and taken away again, a small number is rounded to whole ones.
+const ROUND: f32 = 8_388_608.0;
+
+/// The box of no points, in which no primitives are counted.
+pub(super) const NOTHING: Corners = {
+    let mut corners = Corners::EMPTY;
+    corners.0[COUNT] = 0.0;
+    corners
+};
+
+/// A primitive's box, in which one is counted.
+#[inline(always)]
+pub(super) fn one<S: Simd>(bounds: S::F8) -> S::F8 {
+    S::F8::splat(1.0).select(COUNTED, bounds)
 }
 
-impl Line {
-    pub(super) const EMPTY: Self = Self { boxes: [Corners::EMPTY; LONGEST], counts: [0; LONGEST] };
+/// The box around a box and that of one more primitive.
+#[inline(always)]
+pub(super) fn with_one<S: Simd>(all: S::F8, bounds: S::F8) -> S::F8 {
+    (all + S::F8::splat(1.0)).select(COUNTED, all.max(bounds))
 }
+
+/// Boxes along an axis, in ascending order, with their primitives counted.
+pub(super) type Line = [Corners; LONGEST];
 
 /// The best place found so far to part a node's primitives: behind place `last` along an axis.
 #[derive(Clone, Copy)]
@@ -50,95 +75,120 @@ pub(super) struct Sweep {
 }
 
 impl Sweep {
-    pub(super) const NEW: Self = Self { left: [[0.0; 8]; LONGEST], right: [[0.0; 8]; LONGEST] };
+    pub(super) const NEW: Self = Self { left: [NOTHING.0; LONGEST], right: [NOTHING.0; LONGEST] };
 
-    /// Weighs the places of a line that has its primitives among the first `used` boxes, at least
-    /// one.
+    /// Weighs the places of the first `N` boxes of a line, in which all primitives are; a multiple of sixteen.
     #[inline(always)]
-    pub(super) fn weigh<S: Simd>(
+    pub(super) fn weigh<S: Simd, const N: usize>(
         &mut self,
         line: &Line,
-        used: usize,
         axis: usize,
         pack_bits: u32,
         best: &mut Best,
     ) {
-        let used = used.min(LONGEST);
-        let mut before = [0; LONGEST];
-        let mut all = 0;
-        let mut united = S::F8::splat(f32::NEG_INFINITY);
-        for (place, before) in before.iter_mut().enumerate().take(used) {
-            united = united.max(S::F8::load(&line.boxes[place].0));
-            united.store(&mut self.left[place]);
-            all += line.counts[place];
-            *before = all;
-        }
-        let mut united = S::F8::splat(f32::NEG_INFINITY);
-        for place in (1..used).rev() {
-            united = united.max(S::F8::load(&line.boxes[place].0));
-            united.store(&mut self.right[place - 1]);
-        }
-        for first in (0..used).step_by(LANES) {
-            let (left, right) = (chunk(&self.left, first), chunk(&self.right, first));
-            let before = chunk(&before, first);
-            let mut after = [0; LANES];
-            for (after, before) in after.iter_mut().zip(before) {
-                *after = all.saturating_sub(*before);
-            }
-            // At a place with none before it or behind it, boxes are empty and areas have no sense.
-            let [some_before, some_after] = [some::<S>(before), some::<S>(&after)];
-            let places = some_before & some_after;
+        self.unite::<S, N>(line);
+        for first in (0..N).step_by(LANES) {
+            let left = S::transpose(chunk(&self.left, first));
+            let right = S::transpose(chunk(&self.right, first));
+            let places = some::<S::F16>(left[COUNT], right[COUNT]);
             if places == 0 {
                 continue;
             }
-            let cost = costs::<S>(left, before, pack_bits) + costs::<S>(right, &after, pack_bits);
+            let cost = costs(left, pack_bits) + costs(right, pack_bits);
             let lane = cost.first_smallest(places) % LANES;
             let mut row = [0.0; LANES];
             cost.store(&mut row);
-            if row[lane] < best.cost {
-                *best = Best {
-                    cost: row[lane],
-                    axis,
-                    last: first + lane,
-                    count: before[lane] as usize,
-                    halves: [Corners(left[lane]), Corners(right[lane])],
-                };
-            }
+            self.note(row[lane], axis, first + lane, best);
+        }
+    }
+
+    /// The same of the first eight boxes.
+    #[inline(always)]
+    pub(super) fn weigh_eight<S: Simd>(
+        &mut self,
+        line: &Line,
+        axis: usize,
+        pack_bits: u32,
+        best: &mut Best,
+    ) {
+        self.unite::<S, 8>(line);
+        let (left, right) = (transposed::<S>(&self.left), transposed::<S>(&self.right));
+        let places = some::<S::F8>(left[COUNT], right[COUNT]);
+        if places == 0 {
+            return;
+        }
+        let cost = costs(left, pack_bits) + costs(right, pack_bits);
+        let lane = cost.first_smallest(places) % 8;
+        let mut row = [0.0; 8];
+        cost.store(&mut row);
+        self.note(row[lane], axis, lane, best);
+    }
+
+    #[inline(always)]
+    fn unite<S: Simd, const N: usize>(&mut self, line: &Line) {
+        // Counts and boxes apart, so that each waits for one operation alone.
+        let nothing = S::F8::load(&NOTHING.0);
+        let (mut bounds, mut counts) = (nothing, nothing);
+        for (next, left) in line[..N].iter().zip(&mut self.left[..N]) {
+            let next = S::F8::load(&next.0);
+            (bounds, counts) = (bounds.max(next), counts + next);
+            counts.select(COUNTED, bounds).store(left);
+        }
+        let (mut bounds, mut counts) = (nothing, nothing);
+        nothing.store(&mut self.right[N - 1]);
+        for place in (1..N).rev() {
+            let next = S::F8::load(&line[place].0);
+            (bounds, counts) = (bounds.max(next), counts + next);
+            counts.select(COUNTED, bounds).store(&mut self.right[place - 1]);
+        }
+    }
+
+    #[inline(always)]
+    fn note(&self, cost: f32, axis: usize, last: usize, best: &mut Best) {
+        if cost < best.cost {
+            let halves = [Corners(self.left[last]), Corners(self.right[last])];
+            *best = Best { cost, axis, last, count: halves[0].0[COUNT] as usize, halves };
         }
     }
 }
 
-/// The lanes in which some are counted.
+/// The lanes with some on either side. At a place with none before it or behind it, a box is empty and its area has no
+/// sense.
 #[inline(always)]
-fn some<S: Simd>(counts: &[u32; LANES]) -> u32 {
-    S::F16::splat(0.0).lt(S::F16::load(&floats(counts))).bits()
+fn some<L: Lanes>(before: L, after: L) -> u32 {
+    (L::splat(0.0).lt(before) & L::splat(0.0).lt(after)).bits()
 }
 
-/// The areas of sixteen boxes times the cost of so many primitives: that of the packs that they fill, and
-/// of each of them.
+/// The areas of boxes times the cost of their primitives: that of the packs that they fill, and of each of
+/// them.
 #[inline(always)]
-fn costs<S: Simd>(boxes: &[[f32; 8]; LANES], counts: &[u32; LANES], pack_bits: u32) -> S::F16 {
-    let mut packs = *counts;
-    for packs in &mut packs {
-        *packs = (*packs + (1 << pack_bits) - 1) >> pack_bits;
-    }
-    let rows = S::transpose(boxes);
+fn costs<L: Lanes>(rows: [L; 8], pack_bits: u32) -> L {
     let (x, y, z) = (rows[0] + rows[4], rows[1] + rows[5], rows[2] + rows[6]);
-    let (packs, single) = (S::F16::load(&floats(&packs)), S::F16::load(&floats(counts)));
-    (x * y + y * z + z * x) * (packs * S::F16::splat(PACK_COST) + single)
+    let count = rows[COUNT];
+    // Rounded up: of so many in a pack, one more than whole packs lies behind the middle, and none before it.
+    let pack = 1.0 / (1u32 << pack_bits) as f32;
+    let packs =
+        count * L::splat(pack) + L::splat(0.5 - 0.5 * pack) + L::splat(ROUND) - L::splat(ROUND);
+    (x * y + y * z + z * x) * (packs * L::splat(PACK_COST) + count)
 }
 
+/// Sixteen boxes.
 #[inline(always)]
-fn floats(counts: &[u32; LANES]) -> [f32; LANES] {
-    let mut floats = [0.0; LANES];
-    for (float, count) in floats.iter_mut().zip(counts) {
-        *float = *count as f32;
-    }
-    floats
+fn chunk(boxes: &[[f32; 8]; LONGEST], first: usize) -> &[[f32; 8]; LANES] {
+    boxes[first..].first_chunk().expect("lines are whole chunks")
 }
 
-/// Sixteen values of a row.
+/// The first eight boxes as rows.
 #[inline(always)]
-fn chunk<T>(row: &[T; LONGEST], first: usize) -> &[T; LANES] {
-    row[first..].first_chunk().expect("rows are whole chunks")
+fn transposed<S: Simd>(boxes: &[[f32; 8]; LONGEST]) -> [S::F8; 8] {
+    S::transpose_eight([
+        S::F8::load(&boxes[0]),
+        S::F8::load(&boxes[1]),
+        S::F8::load(&boxes[2]),
+        S::F8::load(&boxes[3]),
+        S::F8::load(&boxes[4]),
+        S::F8::load(&boxes[5]),
+        S::F8::load(&boxes[6]),
+        S::F8::load(&boxes[7]),
+    ])
 }

@@ -28,7 +28,8 @@ pub(super) struct Effort {
     pub(super) slack: f32,
     /// Whether splits are sought along the widest axis alone.
     pub(super) widest: bool,
-    /// Whether what fits into a leaf is one. Otherwise more than half of that is parted where it pays.
+    /// Whether what fits into a leaf is one. Otherwise more than half of that is parted where it pays, and looked at
+    /// where it could.
     pub(super) whole: bool,
 }
 
@@ -38,24 +39,27 @@ impl Effort {
         let close = Self { sample: 2048, slack: 1.25, widest: false, whole: false };
         match quality {
             Quality::Fastest => Self { sample: 64, slack: 4.0, widest: true, whole: true },
-            Quality::Fast => Self { whole: true, ..close },
+            Quality::Fast => Self { sample: 1024, whole: true, ..close },
             Quality::Medium | Quality::Slow | Quality::Slowest => close,
         }
     }
 }
 
 /// What so many primitives cost: the packs that they fill, where `1 << pack_bits` are tested at once, and each of them.
+#[inline(always)]
 pub(super) fn cost_of(count: usize, pack_bits: u32) -> f32 {
     PACK_COST * count.div_ceil(1 << pack_bits) as f32 + count as f32
 }
 
 impl Terms {
     /// What primitives within a box of half this surface cost together.
+    #[inline(always)]
     pub(super) fn cost(&self, half_area: f32, count: usize) -> f32 {
         half_area * cost_of(count, self.pack_bits)
     }
 
     /// Up to so many primitives stay together without a look.
+    #[inline(always)]
     pub(super) fn unparted(&self) -> usize {
         let most = if self.effort.whole { self.most } else { self.most / 2 };
         most.max(1)

@@ -10,9 +10,9 @@ use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
 
 use crate::math::{Aabb, NONE};
-use crate::simd::ask_for_huge_pages;
+use crate::simd::{Kernel, Simd, ask_for_huge_pages, dispatch};
 
-use super::node::{Child, Node};
+use super::node::{Child, Node, WIDTH};
 use super::plan::{Leaves, Plan, Roots, pair};
 
 /// The most subtrees that are laid out in parallel, and binary nodes for which there is one.
@@ -40,7 +40,8 @@ struct Open {
 pub(super) fn collapse(tree: &Bvh2, plan: &Plan, leaves: Leaves) -> Wide {
     let layout = Layout { tree, plan, leaves };
     let (mut wide, open) = layout.top();
-    let subtrees: Vec<_> = open.par_iter().map(|open| layout.subtree(open.binary)).collect();
+    let subtree = |open: &Open| dispatch(LayOut { layout: &layout, binary: open.binary });
+    let subtrees: Vec<_> = open.par_iter().map(subtree).collect();
     wide.append(&open, &subtrees, leaves.block);
     wide
 }
@@ -68,28 +69,17 @@ impl Layout<'_> {
             && let Some(Open { binary, place, .. }) = open.pop_front()
         {
             let mut below = Vec::new();
-            wide.nodes[place] = self.node(binary, &mut wide, &mut below);
+            let node = LayOutNode { layout: self, binary, wide: &mut wide, open: &mut below };
+            wide.nodes[place] = dispatch(node);
             open.extend(below);
         }
         (wide, open.into())
     }
 
-    fn subtree(&self, binary: u32) -> Subtree {
-        let mut below = Wide::default();
-        let mut open = Vec::new();
-        let root = self.node(binary, &mut below, &mut open);
-        while let Some(Open { binary, place, .. }) = open.pop() {
-            let first = open.len();
-            below.nodes[place] = self.node(binary, &mut below, &mut open);
-            // Large children are visited most: they come next, and their nodes lie near.
-            open[first..].sort_by(|a, b| a.area.total_cmp(&b.area));
-        }
-        Subtree { root, below }
-    }
-
     /// A wide node. Its leaves are added to `wide`, and so are places for its inner children, which
     /// join the open ones.
-    fn node(&self, binary: u32, wide: &mut Wide, open: &mut Vec<Open>) -> Node {
+    #[inline(always)]
+    fn node<S: Simd>(&self, binary: u32, wide: &mut Wide, open: &mut Vec<Open>) -> Node {
         let mut roots = Roots::new();
         self.plan.children(binary, &mut roots);
         let mut node = Node::EMPTY;
@@ -104,69 +94,153 @@ impl Layout<'_> {
             };
             node.set(lane, child, &self.bounds(root));
         }
-        node.sort();
+        node.sort_with::<S>();
         node
     }
 
     /// Puts the primitives below a binary node into a leaf, in ascending order: of equal hits in a
     /// pack, the first lane is then the first primitive.
+    #[inline(always)]
     fn leaf(&self, root: u32, wide: &mut Wide) -> Child {
-        let start = wide.order.len();
-        let mut open = Roots::from_slice(&[root]);
-        while let Some(binary) = open.pop() {
-            let node = &self.tree.nodes[binary as usize];
-            if node.is_leaf() {
-                let first = node.first_index as usize;
-                let range = first..first + node.prim_count as usize;
-                wide.order.extend_from_slice(&self.tree.primitive_indices[range]);
-            } else {
-                open.extend(pair(self.tree, binary));
-            }
-        }
-        wide.order[start..].sort_unstable();
-        let count = wide.order.len() - start;
-        wide.order.resize(wide.order.len().next_multiple_of(self.leaves.block), NONE);
-        Child::leaf(start / self.leaves.block, count)
+        let (mut primitives, mut count) = ([NONE; WIDTH], 0);
+        self.gather(root, &mut primitives, &mut count);
+        sort_eight(&mut primitives);
+        let (start, block) = (wide.order.len(), self.leaves.block);
+        wide.order.extend_from_slice(&primitives[..count.next_multiple_of(block)]);
+        Child::leaf(start / block, count)
     }
 
+    /// Adds the primitives below a binary node to a list that has room for them.
+    fn gather(&self, root: u32, list: &mut [u32; WIDTH], count: &mut usize) {
+        let node = &self.tree.nodes[root as usize];
+        if node.is_leaf() {
+            let (first, own) = (node.first_index as usize, node.prim_count as usize);
+            let primitives = &self.tree.primitive_indices[first..first + own];
+            for (to, from) in list[*count..].iter_mut().zip(primitives) {
+                *to = *from;
+            }
+            *count += own;
+        } else {
+            let [left, right] = pair(self.tree, root);
+            self.gather(left, list, count);
+            self.gather(right, list, count);
+        }
+    }
+
+    #[inline(always)]
     fn bounds(&self, node: u32) -> Aabb {
         let obvhs::aabb::Aabb { min, max } = *self.tree.nodes[node as usize].aabb();
         Aabb { min, max }
     }
 }
 
+/// A wide node by itself.
+struct LayOutNode<'a> {
+    layout: &'a Layout<'a>,
+    binary: u32,
+    wide: &'a mut Wide,
+    open: &'a mut Vec<Open>,
+}
+
+impl Kernel for LayOutNode<'_> {
+    type Output = Node;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Node {
+        self.layout.node::<S>(self.binary, self.wide, self.open)
+    }
+}
+
+/// A wide node and all below it.
+struct LayOut<'a> {
+    layout: &'a Layout<'a>,
+    binary: u32,
+}
+
+impl Kernel for LayOut<'_> {
+    type Output = Subtree;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Subtree {
+        let Self { layout, binary } = self;
+        let mut below = Wide::default();
+        let mut open = Vec::new();
+        let root = layout.node::<S>(binary, &mut below, &mut open);
+        while let Some(Open { binary, place, .. }) = open.pop() {
+            let first = open.len();
+            below.nodes[place] = layout.node::<S>(binary, &mut below, &mut open);
+            // Large children are visited most: they come next, and their nodes lie near.
+            open[first..].sort_by(|a, b| a.area.total_cmp(&b.area));
+        }
+        Subtree { root, below }
+    }
+}
+
+/// Sorts eight numbers by nineteen comparisons, the same whatever the numbers are: without a branch.
+#[inline(always)]
+fn sort_eight(list: &mut [u32; 8]) {
+    const PAIRS: [[usize; 2]; 19] = [
+        [0, 2],
+        [1, 3],
+        [4, 6],
+        [5, 7],
+        [0, 4],
+        [1, 5],
+        [2, 6],
+        [3, 7],
+        [0, 1],
+        [2, 3],
+        [4, 5],
+        [6, 7],
+        [2, 4],
+        [3, 5],
+        [1, 4],
+        [3, 6],
+        [1, 2],
+        [3, 4],
+        [5, 6],
+    ];
+    for [a, b] in PAIRS {
+        (list[a], list[b]) = (list[a].min(list[b]), list[a].max(list[b]));
+    }
+}
+
 impl Wide {
     /// Puts subtrees behind each other, and their roots into their places.
     fn append(&mut self, open: &[Open], subtrees: &[Subtree], block: usize) {
-        let (first_node, first_slot) = (self.nodes.len(), self.order.len());
-        let nodes: usize = subtrees.iter().map(|subtree| subtree.below.nodes.len()).sum();
-        let slots: usize = subtrees.iter().map(|subtree| subtree.below.order.len()).sum();
-        self.nodes.reserve_exact(nodes);
-        ask_for_huge_pages(self.nodes.spare_capacity_mut());
-        self.nodes.resize(first_node + nodes, Node::EMPTY);
-        self.order.reserve_exact(slots);
-        self.order.resize(first_slot + slots, NONE);
-        let (top, mut nodes) = self.nodes.split_at_mut(first_node);
-        let (_, mut slots) = self.order.split_at_mut(first_slot);
-        let (mut node, mut slot) = (first_node, first_slot);
-        let mut copies = Vec::with_capacity(subtrees.len());
+        // The first node and the first slot of each subtree.
+        let mut starts = Vec::with_capacity(subtrees.len());
+        let (mut node, mut slot) = (self.nodes.len(), self.order.len());
         for (&Open { place, .. }, Subtree { root, below }) in open.iter().zip(subtrees) {
-            top[place] = root.moved(node, slot / block);
-            copies.push((
-                below,
-                nodes.split_off_mut(..below.nodes.len()).expect("all nodes were counted"),
-                slots.split_off_mut(..below.order.len()).expect("all slots were counted"),
-                (node, slot / block),
-            ));
+            self.nodes[place] = root.moved(node, slot / block);
+            starts.push((node, slot));
             node += below.nodes.len();
             slot += below.order.len();
         }
-        copies.into_par_iter().for_each(|(below, nodes, slots, (by_nodes, by_blocks))| {
-            for (to, from) in nodes.iter_mut().zip(&below.nodes) {
-                *to = from.moved(by_nodes, by_blocks);
+        // Written on all threads from the first, because memory that is new takes its time.
+        let moved = |place: usize| {
+            let behind = starts.partition_point(|&(node, _)| node <= place);
+            match (self.nodes.get(place), behind.checked_sub(1)) {
+                (None, Some(which)) => {
+                    let (node, slot) = starts[which];
+                    subtrees[which].below.nodes[place - node].moved(node, slot / block)
+                }
+                (top, _) => top.copied().unwrap_or(Node::EMPTY),
             }
-            slots.copy_from_slice(&below.order);
-        });
+        };
+        let mut nodes = Vec::with_capacity(node);
+        ask_for_huge_pages(nodes.spare_capacity_mut());
+        (0..node).into_par_iter().with_min_len(64).map(moved).collect_into_vec(&mut nodes);
+        let mut order = vec![0; slot];
+        let (top, mut slots) = order.split_at_mut(self.order.len());
+        top.copy_from_slice(&self.order);
+        let mut copies = Vec::with_capacity(subtrees.len());
+        for Subtree { below, .. } in subtrees {
+            let to = slots.split_off_mut(..below.order.len()).expect("all slots were counted");
+            copies.push((to, &below.order));
+        }
+        copies.into_par_iter().for_each(|(to, from)| to.copy_from_slice(from));
+        *self = Self { nodes, order };
     }
 }
 
@@ -230,6 +304,16 @@ pub(super) mod tests {
                 }
             }
             assert_eq!(slots, count);
+        }
+    }
+
+    #[test]
+    fn eight_numbers_are_sorted() {
+        // Comparisons that sort all zeros and ones sort everything.
+        for ones in 0..256u32 {
+            let mut list = std::array::from_fn(|place| ones >> place & 1);
+            sort_eight(&mut list);
+            assert!(list.is_sorted() && list.iter().sum::<u32>() == ones.count_ones());
         }
     }
 

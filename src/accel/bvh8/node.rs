@@ -2,8 +2,8 @@
 
 use glam::Vec3A;
 
-use crate::math::{Aabb, Lanes as _, Lanes3};
-use crate::simd::{Row, Simd};
+use crate::math::{Aabb, Lanes as _, Lanes3, Mask as _};
+use crate::simd::{Kernel, Row, Simd, dispatch};
 
 /// Children of a node.
 pub(super) const WIDTH: usize = 8;
@@ -234,36 +234,63 @@ impl Node {
     /// Notes the order in which each octant's rays meet the children: by the children's centres
     /// along the octant's diagonal.
     pub(super) fn sort(&mut self) {
-        // What is absent comes last.
-        let mut along = [[f32::NEG_INFINITY; OCTANTS]; WIDTH];
-        for (lane, _) in self.present() {
-            let center = self.child_bounds(lane).center();
-            for (octant, along) in along[lane].iter_mut().enumerate() {
-                let sign = |axis: usize| if octant >> axis & 1 == 0 { 1.0 } else { -1.0 };
-                let sum = center.x * sign(0) + center.y * sign(1) + center.z * sign(2);
+        dispatch(Sort(self));
+    }
+
+    /// The same within a kernel.
+    #[inline(always)]
+    pub(super) fn sort_with<S: Simd>(&mut self) {
+        // Rows of octants. What is absent comes last.
+        let mut along = [S::F8::splat(f32::NEG_INFINITY); WIDTH];
+        let signs = [
+            S::F8::load(&[1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0]),
+            S::F8::load(&[1.0, 1.0, -1.0, -1.0, 1.0, 1.0, -1.0, -1.0]),
+            S::F8::load(&[1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0]),
+        ];
+        let zero = S::F8::splat(0.0);
+        for (lane, along) in along.iter_mut().enumerate() {
+            if self.children()[lane] != Child::ABSENT.0 {
+                let center = self.child_bounds(lane).center();
+                let sum = S::F8::splat(center.x) * signs[0]
+                    + S::F8::splat(center.y) * signs[1]
+                    + S::F8::splat(center.z) * signs[2];
                 // What is no number, of a box that is not finite, would have no place.
-                *along = if sum.is_nan() { 0.0 } else { sum };
+                *along = sum.select(sum.le(sum).bits(), zero);
             }
         }
         // A child's place is the number of those that come before it: the farther ones, and of those
-        // that are equally far the earlier lanes. All octants are counted together.
-        let mut places = [[0; OCTANTS]; WIDTH];
+        // that are equally far the earlier lanes. Added to 2²³, a small number stands in the lowest bits.
+        let one = S::F8::splat(1.0);
+        let mut places = [S::F8::splat(8_388_608.0); WIDTH];
         for late in 1..WIDTH {
             for early in 0..late {
-                for octant in 0..OCTANTS {
-                    let farther = u32::from(along[late][octant] > along[early][octant]);
-                    places[early][octant] += farther;
-                    places[late][octant] += 1 - farther;
-                }
+                let farther = along[early].lt(along[late]).bits();
+                places[early] = places[early] + one.select(farther, zero);
+                places[late] = places[late] + zero.select(farther, one);
             }
         }
-        let orders = &mut self.words[ORDERS..];
-        orders.fill(0);
-        for (lane, places) in places.iter().enumerate() {
-            for (octant, &place) in places.iter().enumerate() {
-                orders[place as usize % WIDTH] |= (lane as u32) << order_shift(octant as u32);
+        let mut orders = [0; WIDTH];
+        for (lane, row) in places.iter().enumerate() {
+            let mut places = [0.0; OCTANTS];
+            row.store(&mut places);
+            for (octant, place) in places.iter().enumerate() {
+                orders[place.to_bits() as usize % WIDTH] |=
+                    (lane as u32) << order_shift(octant as u32);
             }
         }
+        self.words[ORDERS..].copy_from_slice(&orders);
+    }
+}
+
+/// Sorts a node that is sorted alone.
+struct Sort<'a>(&'a mut Node);
+
+impl Kernel for Sort<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        self.0.sort_with::<S>();
     }
 }
 

@@ -13,6 +13,9 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use obvhs::bvh2::Bvh2;
 use smallvec::SmallVec;
 
+use crate::math::{Lanes as _, Mask as _};
+use crate::simd::{Kernel, Row as _, Simd, dispatch};
+
 use super::node::WIDTH;
 
 /// Visiting a node costs as much as testing a pack of eight primitives at once; ratios between 0.6
@@ -24,7 +27,7 @@ pub(super) const PACK_COST: f32 = 1.0;
 const LARGEST_AREA: f32 = 1e30;
 
 /// Down to this depth the children of a node are planned in parallel.
-const PARALLEL_DEPTH: u32 = 12;
+const PARALLEL_DEPTH: u32 = 9;
 
 /// What to do with every node of a binary tree.
 pub(super) struct Plan<'a> {
@@ -55,8 +58,8 @@ pub(super) struct Leaves {
 /// The cheapest replacements of a binary node.
 #[derive(Clone, Copy)]
 pub(super) struct Forests {
-    /// The cost with at most 1, 2, … 7 roots.
-    pub(super) cost: [f32; WIDTH - 1],
+    /// The cost with at most 1, 2, … 7 roots; then infinity.
+    pub(super) cost: [f32; WIDTH],
     /// Primitives below the node.
     count: u32,
 }
@@ -135,102 +138,131 @@ struct Planner<'a> {
 impl Planner<'_> {
     /// Plans a subtree.
     fn plan(&self, node: u32, depth: u32) -> Forests {
-        if self.tree.nodes[node as usize].is_leaf() {
-            return self.leaf(node);
-        }
-        if depth == PARALLEL_DEPTH {
-            return self.plan_in_sequence(node);
+        if depth == PARALLEL_DEPTH || self.tree.nodes[node as usize].is_leaf() {
+            return dispatch(Sequence { planner: self, root: node });
         }
         let [left, right] = pair(self.tree, node);
         let (left, right) =
             rayon::join(|| self.plan(left, depth + 1), || self.plan(right, depth + 1));
-        self.inner(node, &left, &right)
+        dispatch(Inner { planner: self, node, left: &left, right: &right })
     }
 
-    /// Plans a subtree that may be of any depth: without recursion.
-    fn plan_in_sequence(&self, root: u32) -> Forests {
+    #[inline(always)]
+    fn leaf(&self, node: u32) -> Forests {
+        let node = &self.tree.nodes[node as usize];
+        let area = node.aabb().half_area().min(LARGEST_AREA);
+        let mut cost = [area * self.packs(node.prim_count) * PACK_COST; WIDTH];
+        cost[WIDTH - 1] = f32::INFINITY;
+        Forests { cost, count: node.prim_count }
+    }
+
+    /// Tests that a leaf takes: one where packs are tested at once.
+    #[inline(always)]
+    fn packs(&self, primitives: u32) -> f32 {
+        if self.leaves.block > 1 { 1.0 } else { primitives as f32 }
+    }
+
+    #[inline(always)]
+    fn inner<S: Simd>(&self, node: u32, left: &Forests, right: &Forests) -> Forests {
+        let area = self.tree.nodes[node as usize].aabb().half_area().min(LARGEST_AREA);
+        let count = left.count + right.count;
+        let fits = count <= self.leaves.most;
+        let as_leaf = if fits { area * self.packs(count) * PACK_COST } else { f32::INFINITY };
+        let costs = [&left.cost, &right.cost];
+        let (cost, choices) = cheapest::<S>(costs, as_leaf, area * NODE_COST);
+        self.choices[node as usize].store(choices.0, Ordering::Relaxed);
+        Forests { cost, count }
+    }
+}
+
+/// A node whose children are planned.
+struct Inner<'a> {
+    planner: &'a Planner<'a>,
+    node: u32,
+    left: &'a Forests,
+    right: &'a Forests,
+}
+
+impl Kernel for Inner<'_> {
+    type Output = Forests;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Forests {
+        self.planner.inner::<S>(self.node, self.left, self.right)
+    }
+}
+
+/// A subtree that may be of any depth: without recursion.
+struct Sequence<'a> {
+    planner: &'a Planner<'a>,
+    root: u32,
+}
+
+impl Kernel for Sequence<'_> {
+    type Output = Forests;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Forests {
+        let Self { planner, root } = self;
         let mut parents_first = Vec::new();
         let mut open = vec![root];
         while let Some(node) = open.pop() {
             parents_first.push(node);
-            if !self.tree.nodes[node as usize].is_leaf() {
-                let [left, right] = pair(self.tree, node);
-                open.extend([right, left]);
+            if !planner.tree.nodes[node as usize].is_leaf() {
+                let [left, right] = pair(planner.tree, node);
+                open.push(right);
+                open.push(left);
             }
         }
         // Backwards, a node comes after both of its children, the left one last.
         let mut planned: Vec<Forests> = Vec::new();
         for &node in parents_first.iter().rev() {
-            let forests = match self.tree.nodes[node as usize].is_leaf() {
-                true => self.leaf(node),
+            let forests = match planner.tree.nodes[node as usize].is_leaf() {
+                true => planner.leaf(node),
                 false => {
                     let left = planned.pop().expect("the left child was planned");
                     let right = planned.pop().expect("the right child was planned");
-                    self.inner(node, &left, &right)
+                    planner.inner::<S>(node, &left, &right)
                 }
             };
             planned.push(forests);
         }
         planned.pop().expect("the root was planned")
     }
-
-    fn leaf(&self, node: u32) -> Forests {
-        let node = &self.tree.nodes[node as usize];
-        let cost =
-            node.aabb().half_area().min(LARGEST_AREA) * self.packs(node.prim_count) * PACK_COST;
-        Forests { cost: [cost; WIDTH - 1], count: node.prim_count }
-    }
-
-    /// Half the surface of a node's box.
-    fn area(&self, node: u32) -> f32 {
-        self.tree.nodes[node as usize].aabb().half_area().min(LARGEST_AREA)
-    }
-
-    /// Tests that a leaf takes: one where packs are tested at once.
-    fn packs(&self, primitives: u32) -> f32 {
-        if self.leaves.block > 1 { 1.0 } else { primitives as f32 }
-    }
-
-    fn inner(&self, node: u32, left: &Forests, right: &Forests) -> Forests {
-        let area = self.area(node);
-        let count = left.count + right.count;
-        let fits = count <= self.leaves.most;
-        let as_leaf = if fits { area * self.packs(count) * PACK_COST } else { f32::INFINITY };
-        let (cost, choices) = cheapest(&left.cost, &right.cost, as_leaf, area * NODE_COST);
-        self.choices[node as usize].store(choices.0, Ordering::Relaxed);
-        Forests { cost, count }
-    }
 }
 
 /// The cheapest forests of a node from those of its children.
-fn cheapest(
-    left: &[f32; WIDTH - 1],
-    right: &[f32; WIDTH - 1],
+#[inline(always)]
+fn cheapest<S: Simd>(
+    [left, right]: [&[f32; WIDTH]; 2],
     as_leaf: f32,
     as_node: f32,
-) -> ([f32; WIDTH - 1], Choices) {
+) -> ([f32; WIDTH], Choices) {
     // The cheapest way to part 1, 2, … 8 roots among both children, a lane for each number: with a
     // share of `share` for the left child, the right one's costs begin so many lanes later.
     let mut padded = [f32::INFINITY; 2 * WIDTH];
-    padded[WIDTH..2 * WIDTH - 1].copy_from_slice(right);
-    let (mut cost, mut shares) = ([f32::INFINITY; WIDTH], [1; WIDTH]);
+    padded[WIDTH..].copy_from_slice(right);
+    let (mut least, mut chosen) = (S::F8::splat(f32::INFINITY), S::F8::splat(f32::from_bits(1)));
     for share in 1..WIDTH {
-        let right = &padded[WIDTH - share..2 * WIDTH - share];
-        for lane in 0..WIDTH {
-            let sum = left[share - 1] + right[lane];
-            let better = sum < cost[lane];
-            cost[lane] = if better { sum } else { cost[lane] };
-            shares[lane] = if better { share as u32 } else { shares[lane] };
-        }
+        let right = padded[WIDTH - share..].first_chunk().expect("as many lanes are padded");
+        let sum = S::F8::splat(left[share - 1]) + S::F8::load(right);
+        let better = sum.lt(least).bits();
+        least = sum.select(better, least);
+        // Bits alone: nothing is computed with them.
+        chosen = S::F8::splat(f32::from_bits(share as u32)).select(better, chosen);
     }
+    let (mut cost, mut shares) = ([0.0; WIDTH], [0.0; WIDTH]);
+    least.store(&mut cost);
+    chosen.store(&mut shares);
     let inner = cost[WIDTH - 1] + as_node;
     let (one, mut choices) =
-        if as_leaf <= inner { (as_leaf, LEAF) } else { (inner, shares[WIDTH - 1]) };
-    let mut cheapest = [one; WIDTH - 1];
+        if as_leaf <= inner { (as_leaf, LEAF) } else { (inner, shares[WIDTH - 1].to_bits()) };
+    let mut cheapest = [f32::INFINITY; WIDTH];
+    cheapest[0] = one;
     for lane in 1..WIDTH - 1 {
         let better = cost[lane] < cheapest[lane - 1];
         cheapest[lane] = if better { cost[lane] } else { cheapest[lane - 1] };
-        choices |= (if better { shares[lane] } else { ONE_LESS }) << (4 * lane);
+        choices |= (if better { shares[lane].to_bits() } else { ONE_LESS }) << (4 * lane);
     }
     (cheapest, Choices(choices))
 }
@@ -267,7 +299,8 @@ mod tests {
         let leaves = Leaves { most: 1, block: 8 };
         let choices = tree.nodes.iter().map(|_| AtomicU32::new(LEAF)).collect();
         let planner = Planner { tree: &tree, leaves, choices };
-        for forests in [planner.plan(0, 0), planner.plan_in_sequence(0)] {
+        let in_sequence = dispatch(Sequence { planner: &planner, root: 0 });
+        for forests in [planner.plan(0, 0), in_sequence] {
             for roots in 1..WIDTH {
                 let (found, all) = (forests.cost[roots - 1], least(&tree, 0, roots));
                 assert!((found - all).abs() <= 1e-5 * all, "{roots} roots: {found} and {all}");

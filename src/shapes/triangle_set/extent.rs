@@ -68,26 +68,50 @@ impl Kernel for BoundsOf<'_> {
     }
 }
 
-/// The mean of the vertices that the triangles use, each counted once: a file may hold others, and
-/// these are no part of the mesh.
-pub(super) fn mean_vertex(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec3A {
-    let used: Vec<_> = positions.iter().map(|_| AtomicBool::new(false)).collect();
-    let mark = |&corner: &u32| used[corner as usize].store(true, Ordering::Relaxed);
-    triangles.as_flattened().par_chunks(CHUNK).for_each(|corners| corners.iter().for_each(mark));
-    let sum_of = |(positions, used): (&[Vec3], &[AtomicBool])| {
-        let mut sum = (DVec3::ZERO, 0u32);
-        for (position, used) in positions.iter().zip(used) {
-            if used.load(Ordering::Relaxed) {
-                sum = (sum.0 + position.as_dvec3(), sum.1 + 1);
+/// Which vertices of a mesh its triangles use: a file may hold others, and these are no part of the mesh.
+pub(super) struct Used(Vec<AtomicBool>);
+
+impl Used {
+    /// None of so many.
+    pub(super) fn none(vertices: usize) -> Self {
+        Self(std::iter::repeat_with(|| AtomicBool::new(false)).take(vertices).collect())
+    }
+
+    /// Those of some triangles among so many.
+    pub(super) fn by(triangles: &[[u32; 3]], vertices: usize) -> Self {
+        let used = Self::none(vertices);
+        let corners = triangles.as_flattened().par_chunks(CHUNK);
+        corners.for_each(|corners| corners.iter().for_each(|&corner| used.note(corner)));
+        used
+    }
+
+    /// Notes one that is there.
+    #[inline(always)]
+    pub(super) fn note(&self, vertex: u32) {
+        self.0[vertex as usize].store(true, Ordering::Relaxed);
+    }
+
+    /// The mean of those that are used, each counted once, and the box around them.
+    pub(super) fn mean_and_bounds(&self, positions: &[Vec3]) -> (Vec3A, Aabb) {
+        let of_chunk = |(positions, used): (&[Vec3], &[AtomicBool])| {
+            let mut sum = (DVec3::ZERO, 0u32);
+            let mut bounds = Aabb::EMPTY;
+            for (&position, used) in positions.iter().zip(used) {
+                if used.load(Ordering::Relaxed) {
+                    sum = (sum.0 + position.as_dvec3(), sum.1 + 1);
+                    let point = Vec3A::from(position);
+                    bounds = Aabb { min: bounds.min.min(point), max: bounds.max.max(point) };
+                }
             }
-        }
-        sum
-    };
-    // Added up in one order, whatever the number of threads.
-    let sums: Vec<_> =
-        positions.par_chunks(CHUNK).zip(used.par_chunks(CHUNK)).map(sum_of).collect();
-    let sum = sums.iter().fold((DVec3::ZERO, 0), |a, b| (a.0 + b.0, a.1 + b.1));
-    (sum.0 / f64::from(1.max(sum.1))).as_vec3a()
+            (sum, bounds)
+        };
+        // Added up in one order, whatever the number of threads.
+        let chunks: Vec<_> =
+            positions.par_chunks(CHUNK).zip(self.0.par_chunks(CHUNK)).map(of_chunk).collect();
+        let sum = chunks.iter().fold((DVec3::ZERO, 0), |a, (b, _)| (a.0 + b.0, a.1 + b.1));
+        let bounds = chunks.iter().fold(Aabb::EMPTY, |all, (_, bounds)| all.union(*bounds));
+        ((sum.0 / f64::from(1.max(sum.1))).as_vec3a(), bounds)
+    }
 }
 
 #[cfg(test)]
@@ -104,6 +128,8 @@ mod tests {
             let set = TriangleSet::new(&positions, &triangles);
             let around = Aabb::of_points(positions.iter().map(|&p| p.into()));
             assert_eq!(bounds_of(&set), around, "{count}");
+            let used = Used::by(&triangles, positions.len());
+            assert_eq!(used.mean_and_bounds(&positions), (set.mean_point(), around), "{count}");
             let sum: DVec3 = positions.iter().map(|p| p.as_dvec3()).sum();
             let mean = sum / positions.len().max(1) as f64;
             let error = (set.mean_point().as_dvec3() - mean).length();

@@ -11,9 +11,10 @@ use crate::accel::{Decoder, Encoder, LoadError, PACK, PortablePrimitives};
 use crate::math::Padding;
 use crate::shapes::Triangle;
 
+use super::TriangleSet;
+use super::pack::pack;
 #[cfg(feature = "program")]
 use super::{MeshError, NONE, extent};
-use super::{TriangleSet, pack};
 
 impl PortablePrimitives for TriangleSet {
     const NAME: &'static str = "triangles";
