@@ -12,10 +12,10 @@ use super::load::{LoadError, SceneFile, print_load_error};
 use super::output::{Output, make_folder, print};
 use super::source;
 use super::terminal::{print_error, print_message};
-use crate::compare::{self, MotionError, MotionPlan, measure_motion};
-use crate::record::{Motion, Strategy};
+use crate::compare::{self, MotionError, MotionPlan, measure_motion, offers};
+use crate::record::Motion;
 use crate::report::MotionReport;
-use crate::scene::Scene;
+use crate::scene::{Scene, Structure};
 
 /// Measures the sequence, prints the table and writes the files.
 pub(super) fn run(arguments: &AnimateArguments, interrupt: &Interrupt) -> CommandResult {
@@ -98,10 +98,10 @@ fn plan(arguments: &AnimateArguments) -> Result<MotionPlan, Failure> {
             frames.first + 9,
         )));
     }
-    let refits = |strategy: &Strategy| *strategy == Strategy::Refit;
-    if strategies.iter().all(refits) && !structures.iter().any(|own| own.can_refit()) {
+    let offered = |own: &Structure| strategies.iter().any(|&strategy| offers(own, strategy));
+    if !structures.iter().any(offered) {
         return Err(Failure::new(
-            "none of these structures can be refitted: add `rebuild` to --strategies",
+            "none of these structures can follow in these ways: add `rebuild` to --strategies",
         ));
     }
     let processors = available_parallelism().map_or(1, std::num::NonZero::get);

@@ -6,7 +6,7 @@
 //! to frame and from round to round. The answers of all must be equal, bit for bit, and those of some rays equal to
 //! those of no structure at all.
 
-use crate::accel::{BuildConfig, Quality};
+use crate::accel::{BuildConfig, Quality, Update};
 use crate::record::{
     MOTION_VERSION, Motion, MotionRays, Moved, RayClass, Round, Run, Strategy, StrategyRecord,
 };
@@ -32,7 +32,7 @@ const MOST_FOR_NONE: u64 = 2_000;
 pub struct MotionPlan {
     /// The structures.
     pub structures: Vec<Structure>,
-    /// How each is made ready. A structure that cannot be refitted is not.
+    /// How each is made ready, of what it offers.
     pub strategies: Vec<Strategy>,
     /// The frame that all are built for, and the last one.
     pub frames: [u32; 2],
@@ -148,6 +148,22 @@ fn moved(change: Option<&SceneChange<'_>>) -> Moved {
     }
 }
 
+/// How a structure follows with a strategy; `None` if it is built anew.
+fn update_of(strategy: Strategy) -> Option<Update> {
+    match strategy {
+        Strategy::Rebuild | Strategy::QuickRebuild => None,
+        Strategy::Refit => Some(Update::Refit),
+        Strategy::Rotate => Some(Update::Rotate),
+        Strategy::Partial => Some(Update::Partial),
+    }
+}
+
+/// Whether a structure offers a strategy.
+#[must_use]
+pub fn offers(structure: &Structure, strategy: Strategy) -> bool {
+    update_of(strategy).is_none_or(|update| structure.can_follow(update))
+}
+
 /// A structure, and how it is made ready.
 struct Follower {
     structure: Structure,
@@ -158,7 +174,7 @@ struct Follower {
 
 fn followers(plan: &MotionPlan) -> Vec<Follower> {
     let strategies = |structure: &Structure| {
-        let offered = |strategy: &Strategy| *strategy != Strategy::Refit || structure.can_refit();
+        let offered = |strategy: &Strategy| offers(structure, *strategy);
         let of = |strategy| Follower::new(*structure, strategy);
         plan.strategies.iter().copied().filter(offered).map(of).collect::<Vec<_>>()
     };
@@ -169,7 +185,7 @@ impl Follower {
     fn new(structure: Structure, strategy: Strategy) -> Self {
         let quality = match strategy {
             Strategy::QuickRebuild => Quality::Fastest,
-            Strategy::Rebuild | Strategy::Refit => Quality::default(),
+            _ => Quality::default(),
         };
         let record = StrategyRecord {
             structure: structure.name.to_owned(),
@@ -194,13 +210,12 @@ impl Follower {
 
     /// Makes it ready for a frame.
     fn update(&mut self, scene: &Scene, change: Option<&SceneChange<'_>>) -> Result<(), String> {
-        let refits = self.record.strategy == Strategy::Refit;
+        let update = update_of(self.record.strategy);
         // What is replaced is dropped outside of what is timed.
         let mut old = None;
         let (done, round) = timed(|| {
-            if refits
-                && let (Some(world), Some(change)) = (&mut self.world, change)
-                && world.refit(change)
+            if let (Some(update), Some(world), Some(change)) = (update, &mut self.world, change)
+                && world.refit(change, update)
             {
                 return Ok(true);
             }
@@ -208,7 +223,7 @@ impl Follower {
             self.build(scene).map(|()| false)
         });
         drop(old);
-        self.record.rebuilt += u64::from(refits && !done?);
+        self.record.rebuilt += u64::from(!done? && update.is_some());
         self.record.updates.push(round);
         Ok(())
     }

@@ -34,6 +34,7 @@ use glam::Vec3A;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
+use rayon::prelude::*;
 
 use crate::math::Aabb;
 
@@ -121,6 +122,13 @@ impl Builder {
 
 /// Boxes of nothing else.
 pub(super) struct Boxes(pub(super) Vec<Aabb>);
+
+impl Boxes {
+    /// Those of some primitives.
+    pub(super) fn of(primitives: &impl Bounded, some: &[u32]) -> Self {
+        Self(some.par_iter().map(|&index| primitives.bounds(index)).collect())
+    }
+}
 
 impl Bounded for Boxes {
     fn count(&self) -> u32 {
