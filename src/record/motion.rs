@@ -54,6 +54,17 @@ pub struct MotionRays {
     pub rays: Vec<u64>,
 }
 
+/// A small picture of a frame, for a page; it is in no record.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FramePicture {
+    /// The frame.
+    pub frame: u32,
+    /// Width and height.
+    pub size: [u32; 2],
+    /// Its bytes as PNG.
+    pub png: Vec<u8>,
+}
+
 /// How a structure is made ready for a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

@@ -30,7 +30,7 @@ fn all_strategies_give_equal_answers_and_their_costs() {
     }
     assert_eq!(run.stdout.lines().filter(|line| line.ends_with("equal")).count(), 10);
     let out = folder.path().join("out");
-    assert_eq!(names(&out), ["motion.csv", "motion.json", "motion.md"]);
+    assert_eq!(names(&out), ["motion.csv", "motion.html", "motion.json", "motion.md"]);
     let json: Value = serde_json::from_slice(&fs::read(out.join("motion.json")).unwrap()).unwrap();
     assert_eq!((&json["motion_version"], &json["frames"]), (&1.into(), &vec![2, 6].into()));
     let moved = &json["moved"][0];
@@ -56,6 +56,12 @@ fn all_strategies_give_equal_answers_and_their_costs() {
     }
     let csv = fs::read_to_string(out.join("motion.csv")).unwrap();
     assert_eq!(csv.lines().count(), 1 + 10 * 4);
+    let page = fs::read_to_string(out.join("motion.html")).unwrap();
+    for frame in 2..=6 {
+        assert!(page.contains(&format!("alt=\"scene.sce, frame {frame}\"")), "{frame}");
+    }
+    assert_eq!(page.matches("data:image/png;base64,").count(), 5);
+    assert!(page.contains("default-src 'none'") && !page.contains("http:"));
     assert!(csv.starts_with("structure,strategy,frame,update_ns,view_rays,view_trace_ns,shadow"));
 }
 
