@@ -93,6 +93,8 @@ pub mod live;
 #[cfg(feature = "program")]
 pub mod pack;
 #[cfg(feature = "program")]
+mod page;
+#[cfg(feature = "program")]
 pub mod part_file;
 #[cfg(feature = "program")]
 pub mod ray_file;

@@ -5,10 +5,11 @@
 mod common;
 
 use glam::{DAffine3, DVec3};
+use srt::accel::{BuildConfig, Update};
 use srt::description::{Light, SceneDescription, Shape};
 use srt::image_io::{Picture, compare};
-use srt::render::{Image, Settings};
-use srt::scene::{STRUCTURES, Scene};
+use srt::render::{Image, Settings, Silent, render};
+use srt::scene::{STRUCTURES, Scene, SceneChange, TracedWorld};
 use srt::scene_file::{ParseOptions, parse};
 use srt::shapes::Single;
 
@@ -165,9 +166,55 @@ fn structures_and_threads_never_change_a_frame() {
     }
 }
 
+#[test]
+fn structures_that_follow_never_change_a_frame() {
+    for (name, frames) in [
+        ("twist", [0, 13, 40, 59]),
+        // Its parts are meshes of their own from the first deformation on.
+        ("explosion", [8, 13, 21, 47]),
+        ("crowd", [0, 5, 6, 77]),
+        ("robot-arm", [0, 10, 11, 42]),
+    ] {
+        let path = in_project(&format!("scenes/{name}.sce"));
+        let scenes = frames.map(|frame| load_frame(&path, frame));
+        let expected = scenes.each_ref().map(|scene| picture(scene, "none", 2));
+        let ways = STRUCTURES.iter().flat_map(|own| Update::ALL.map(|update| (own, update)));
+        for (structure, update) in ways.filter(|(own, update)| own.can_follow(*update)) {
+            for threads in 1..3 {
+                on_threads(threads, || {
+                    let mut world = structure.build(&scenes[0], &BuildConfig::default());
+                    for (pair, expected) in scenes.windows(2).zip(&expected[1..]) {
+                        let scene = &pair[1];
+                        let change = SceneChange::between(&pair[0], scene).unwrap();
+                        assert!(world.refit(&change, update));
+                        let got = of_world(scene, world.as_ref());
+                        let difference = compare(expected, &got).unwrap();
+                        assert_eq!(
+                            difference.differing, 0,
+                            "{name}, {}, {update:?}",
+                            structure.name
+                        );
+                    }
+                });
+            }
+        }
+    }
+}
+
+fn small(scene: &Scene) -> Settings {
+    Settings { width: 24, height: 16, aa: 1, ..Settings::of_scene(scene) }
+}
+
+fn of_world(scene: &Scene, world: &dyn TracedWorld) -> Picture {
+    color(render(scene, world, &small(scene), &Silent).image)
+}
+
 fn picture(scene: &Scene, structure: &str, threads: usize) -> Picture {
-    let settings = Settings { width: 24, height: 16, aa: 1, ..Settings::of_scene(scene) };
-    match on_threads(threads, || rendered(scene, structure, &settings)) {
+    color(on_threads(threads, || rendered(scene, structure, &small(scene))))
+}
+
+fn color(image: Image) -> Picture {
+    match image {
         Image::Color(picture) => picture,
         Image::Scalar { .. } => panic!("not a picture"),
     }

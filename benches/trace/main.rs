@@ -1,7 +1,7 @@
 //! What parsing, building, tracing and single formulas cost, as criterion measures it.
 //!
-//! `cargo bench --bench trace` measures the groups `parse`, `build`, `traverse` and `shapes` and
-//! writes `results/benchmarks.md`; a filter behind `--`, such as the name of a group, measures a
+//! `cargo bench --bench trace` measures the groups `parse`, `build`, `refit`, `traverse` and
+//! `shapes` and writes `results/benchmarks.md`; a filter behind `--`, such as the name of a group, measures a
 //! part and leaves the table alone. `frames`, which has to be named, measures whole pictures with
 //! one thread and with two, and prints. Before anything is measured, its results are compared with
 //! those of `none`.
@@ -10,6 +10,7 @@ mod build;
 mod frames;
 mod knot;
 mod parse;
+mod refit;
 mod shapes;
 mod table;
 mod traverse;
@@ -30,6 +31,7 @@ fn main() {
     let knots = [1_000, 70_000, 1_000_000].map(Knot::new);
     parse::group(&mut criterion, &mut rows);
     build::group(&mut criterion, &knots, &mut rows);
+    refit::group(&mut criterion, &mut rows);
     traverse::group(&mut criterion, &knots, &mut rows);
     shapes::group(&mut criterion, &mut rows);
     criterion.final_summary();

@@ -14,6 +14,7 @@
 //! * *Memory*: 64 bytes a node, of which there are as many as leaves but one.
 //! * *It wins*: for single rays, and as what others are compared with: no scene is bad for it.
 
+mod refit;
 mod save;
 
 use std::ops::{ControlFlow, Range};
@@ -27,9 +28,11 @@ use crate::counters::Counters;
 use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
-use super::builder::{Builder, TreeChoice, reinsert};
-use super::refit::{Below, Fit, FitNode, Paths, fit_inner, fit_leaves};
-use super::{Accel, Bounded, Build, Built, Moved, OptionInfo, Order, Primitives, Tree};
+use super::builder::{Builder, TreeChoice, cuts, reinsert};
+use super::refit::Memory;
+use super::{
+    Accel, Bounded, Build, Built, Followed, Moved, OptionInfo, Order, Primitives, Tree, Update,
+};
 
 /// The stack lives with the call up to this depth, and on the heap beyond.
 const USUAL_DEPTH: usize = 32;
@@ -40,8 +43,8 @@ pub struct Bvh {
     nodes: Vec<Node>,
     /// The whole tree; `None` if there are no primitives.
     root: Option<Child>,
-    /// The way up, once few primitives among many have moved.
-    paths: Option<Paths>,
+    /// What was needed to follow primitives that move.
+    memory: Memory,
 }
 
 /// The children of a node and their boxes.
@@ -73,16 +76,16 @@ impl Accel for Bvh {
 
     const OPTIONS: &'static [OptionInfo] = &[BUILDER, Builder::REINSERTION, LEAF];
 
-    const REFITS: bool = true;
+    const UPDATES: &'static [Update] = &Update::ALL;
 
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
         if primitives.count() == 0 {
             return Built {
-                accel: Self { nodes: Vec::new(), root: None, paths: None },
+                accel: Self { nodes: Vec::new(), root: None, memory: Memory::default() },
                 order: None,
             };
         }
-        let tree = binary_tree(primitives, build);
+        let tree = binary_tree(primitives, build, cuts(build.grain));
         let (accel, order) = build.stages.time("layout", || lay_out(&tree, build.grain));
         let order = Order::of(order, tree.primitive_indices.len(), primitives.count());
         Built { accel, order: Some(order) }
@@ -136,23 +139,19 @@ impl Accel for Bvh {
         }
     }
 
-    fn refit<P: Primitives>(&mut self, primitives: &P, moved: Moved<'_>) -> Aabb {
-        let bounds_of = |slots: Range<u32>| {
-            slots.map(|slot| primitives.bounds(slot)).fold(Aabb::EMPTY, Aabb::union)
-        };
-        let Self { nodes, root, paths } = self;
-        let Some(root) = root else { return Aabb::EMPTY };
-        if root.count > 0 {
-            return bounds_of(root.first..root.first + root.count);
-        }
-        let of_leaves = |nodes: &mut [Node]| fit_leaves(nodes, 1, bounds_of);
-        Fit { nodes, block: 1, paths }
-            .follow(moved, bounds_of, of_leaves, |nodes| fit_inner(nodes, 1))
+    fn refit<P: Primitives>(
+        &mut self,
+        update: Update,
+        primitives: &P,
+        moved: Moved<'_>,
+        build: &Build<'_>,
+    ) -> Followed {
+        refit::refit(self, update, primitives, moved, build)
     }
 
     fn bytes(&self) -> u64 {
-        let paths = self.paths.as_ref().map_or(0, Paths::bytes);
-        (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>() + paths) as u64
+        let nodes = self.nodes.capacity() * size_of::<Node>();
+        (size_of::<Self>() + nodes + self.memory.bytes()) as u64
     }
 
     fn tree(&self) -> Option<Tree> {
@@ -178,30 +177,6 @@ impl Node {
     /// The box around both children.
     fn bounds(&self) -> Aabb {
         self.child_bounds(0).union(self.child_bounds(1))
-    }
-}
-
-impl FitNode for Node {
-    const WIDTH: usize = 2;
-
-    fn below(&self, lane: usize, _: usize) -> Option<Below> {
-        let Child { first, count } = self.children[lane];
-        Some(if count == 0 {
-            Below::Node(first as usize)
-        } else {
-            Below::Slots(first..first + count)
-        })
-    }
-
-    fn child_bounds(&self, lane: usize) -> Aabb {
-        Self::child_bounds(self, lane)
-    }
-
-    fn fit(&mut self, lane: usize, bounds: &Aabb) {
-        for (axis, planes) in self.planes.iter_mut().enumerate() {
-            planes[lane] = bounds.min[axis];
-            planes[2 + lane] = bounds.max[axis];
-        }
     }
 }
 
@@ -237,12 +212,12 @@ impl PairRay {
 
 /// The tree that is laid out, over at least one primitive. Where no option is given, it is that of obvhs's
 /// `build_bvh2`.
-fn binary_tree(primitives: &impl Bounded, build: &mut Build<'_>) -> Bvh2 {
+fn binary_tree(primitives: &impl Bounded, build: &mut Build<'_>, cuts: bool) -> Bvh2 {
     let Build { config, grain, stages } = build;
     let parameters = config.quality.parameters();
     let usual_leaf = parameters.max_prims_per_leaf.min(config.max_leaf);
     let most = config.options.number(&LEAF).unwrap_or(usual_leaf).max(1);
-    let choice = TreeChoice::of(config, *grain, &BUILDER, Builder::Ploc);
+    let choice = TreeChoice::of(config, cuts, &BUILDER, Builder::Ploc);
     let mut tree = choice.tree(primitives, *grain, 1, stages);
     let cost = parameters.collapse_traversal_cost;
     stages.time("collapse", || collapse(&mut tree, most, cost));
@@ -281,7 +256,7 @@ fn lay_out(tree: &Bvh2, grain: u32) -> (Bvh, Vec<u32>) {
         }
     }
     nodes.shrink_to_fit();
-    (Bvh { nodes, root: Some(root), paths: None }, order)
+    (Bvh { nodes, root: Some(root), memory: Memory::default() }, order)
 }
 
 fn bounds_of(node: &Bvh2Node) -> Aabb {
@@ -311,7 +286,11 @@ mod tests {
     }
 
     fn tree(boxes: &Boxes, config: &BuildConfig) -> Bvh2 {
-        binary_tree(boxes, &mut Build { config, grain: 8, stages: &mut BuildStages::default() })
+        binary_tree(
+            boxes,
+            &mut Build { config, grain: 8, stages: &mut BuildStages::default() },
+            true,
+        )
     }
 
     #[test]

@@ -25,7 +25,7 @@ use crate::counters::Counters;
 use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, Ray, ones};
 
-use super::builder::{Builder, TreeChoice};
+use super::builder::{Builder, TreeChoice, cuts};
 use super::{Accel, Bounded, Build, Built, OptionInfo, Order, Tree};
 
 const WIDTH: usize = 8;
@@ -60,7 +60,7 @@ impl Accel for CompressedWideBvh {
         let Build { config, grain, stages } = build;
         let usual_leaf = config.quality.parameters().max_prims_per_leaf.min(config.max_leaf);
         let most = config.options.number(&LEAF).unwrap_or(usual_leaf).clamp(1, MOST);
-        let choice = TreeChoice::of(config, *grain, &BUILDER, Builder::Ploc);
+        let choice = TreeChoice::of(config, cuts(*grain), &BUILDER, Builder::Ploc);
         // Leaves begin anywhere, so that packs make none of them cheaper.
         let binary = choice.tree(primitives, 1, 1, stages);
         let tree = stages.time("collapse", || bvh2_to_cwbvh(&binary, most, true, false));

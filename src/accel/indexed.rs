@@ -7,7 +7,7 @@ use crate::math::{Aabb, Hit, Ray};
 
 use super::{
     Accel, Answers, AnyHit, Build, BuildConfig, BuildStages, ClosestHit, Moved, Packs, Primitives,
-    Query, Regions, Scratch, StructureShape, Tracer, Tree, search_one,
+    Query, Regions, Scratch, StructureShape, Tracer, Tree, Update, search_one,
 };
 
 /// What debug builds say of rays whose hits are not defined.
@@ -45,6 +45,7 @@ pub struct Indexed<P, A> {
     build_time: Duration,
     check_time: Duration,
     stages: BuildStages,
+    config: BuildConfig,
 }
 
 impl<P: Primitives, A: Accel> Indexed<P, A> {
@@ -71,14 +72,15 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
             stages.time("order", || primitives.reorder(order.slots()));
         }
         let build_time = start.elapsed() - check_time;
-        Self { primitives, accel: built.accel, build_time, check_time, stages }
+        let config = config.clone();
+        Self { primitives, accel: built.accel, build_time, check_time, stages, config }
     }
 
-    /// Moves the primitives: `change` changes them where they stand, in slot order, and the structure follows. `settle`
-    /// is then told the box around all, which [`Primitives::padding`] depends on.
+    /// Moves the primitives: `change` changes them where they stand, in slot order, and the structure follows as
+    /// `update` says. `settle` is then told the box around all, which [`Primitives::padding`] depends on.
     ///
     /// ```
-    /// use srt::accel::{BuildConfig, Bvh8, Indexed, Moved};
+    /// use srt::accel::{BuildConfig, Bvh8, Indexed, Moved, Update};
     /// use srt::glam::Vec3;
     /// use srt::math::Ray;
     /// use srt::shapes::TriangleSet;
@@ -87,7 +89,8 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     /// let set = TriangleSet::new(&positions, &triangles);
     /// let mut bvh: Indexed<_, Bvh8> = Indexed::build(set, &BuildConfig::default());
     /// positions.iter_mut().for_each(|position| position.z += 3.0);
-    /// bvh.refit(Moved::All, |set| set.move_to(&positions, &triangles), TriangleSet::settle)?;
+    /// let change = |set: &mut TriangleSet| set.move_to(&positions, &triangles);
+    /// bvh.refit(Update::Refit, Moved::All, change, TriangleSet::settle)?;
     /// let t = bvh.hit(&Ray::new(Vec3::new(0.2, 0.2, 5.0), Vec3::NEG_Z)).t;
     /// assert!((t - 2.0).abs() < 1e-6);
     /// # Ok::<(), srt::shapes::MeshError>(())
@@ -97,23 +100,30 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     /// Those of `change` and `settle`. Then neither primitives nor structure are of further use.
     ///
     /// # Panics
-    /// If the structure does not offer it: [`Accel::REFITS`].
+    /// If the structure does not offer it: [`Accel::UPDATES`].
     pub fn refit<E>(
         &mut self,
+        update: Update,
         moved: Moved<'_>,
         change: impl FnOnce(&mut P) -> Result<(), E>,
         settle: impl FnOnce(&mut P, &Aabb) -> Result<(), E>,
     ) -> Result<(), E> {
-        assert!(A::REFITS, "the structure cannot follow primitives that move");
+        assert!(A::UPDATES.contains(&update), "the structure cannot follow primitives in this way");
         change(&mut self.primitives)?;
-        let bounds = self.accel.refit(&self.primitives, moved);
-        settle(&mut self.primitives, &bounds)
+        let grain = <P::Packs as Packs>::GRAIN;
+        let build = Build { config: &self.config, grain, stages: &mut BuildStages::default() };
+        let followed = self.accel.refit(update, &self.primitives, moved, &build);
+        if let Some(order) = &followed.order {
+            self.primitives.reorder(order);
+        }
+        settle(&mut self.primitives, &followed.bounds)
     }
 
     /// What was built elsewhere, and read: primitives in the order of their structure.
     pub(super) fn loaded(primitives: P, accel: A) -> Self {
         let [build_time, check_time] = [Duration::ZERO; 2];
-        Self { primitives, accel, build_time, check_time, stages: BuildStages::default() }
+        let (stages, config) = (BuildStages::default(), BuildConfig::default());
+        Self { primitives, accel, build_time, check_time, stages, config }
     }
 
     /// What searches.

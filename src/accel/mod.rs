@@ -20,7 +20,7 @@
 //! There is no BSP tree: its planes lie aslant, and the rules of equal hits are about boxes along the axes.
 //!
 //! What partitions of space share is in `cells/`, and `regions.rs` shows the parts of space of all structures.
-//! `refit.rs` lets the boxes of trees follow primitives that move.
+//! `refit/` lets trees follow primitives that move.
 //! `save/` writes built structures to bytes and reads them back.
 //! Binary trees, which trees of all layouts are made from, are built in `builder/`.
 
@@ -76,7 +76,7 @@ pub use options::{Allowed, BuildOptions, OptionError, OptionInfo};
 pub use order::Order;
 pub use packs::{NoPacks, NoRay, PACK, PackHits, Packs};
 pub use query::{AllHits, Answers, AnyHit, ClosestHit, Filtered, Query, QueryKind, Search};
-pub use refit::Moved;
+pub use refit::{Followed, Moved, Update};
 pub use regions::{Region, RegionForm, Regions};
 pub use save::{Decoder, Encoder, LoadError, Portable, PortablePrimitives, Slots};
 pub use scratch::Scratch;
@@ -190,8 +190,8 @@ pub trait Accel: Sized + Send + Sync {
     /// and the primitives not: what does not fit into memory is refused before it is built.
     const BUILD_BYTES: u64 = 0;
 
-    /// Whether it can follow primitives that move: [`refit`](Self::refit).
-    const REFITS: bool = false;
+    /// In which ways it can follow primitives that move: [`refit`](Self::refit).
+    const UPDATES: &'static [Update] = &[];
 
     /// Builds the index. `primitives` may be empty.
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self>;
@@ -226,11 +226,18 @@ pub trait Accel: Sized + Send + Sync {
     }
 
     /// Follows primitives that have moved: the same ones, in slot order, with other boxes. Afterwards the contract
-    /// holds for the new boxes. Returns the box around all. Called only where [`REFITS`](Self::REFITS) is set, which a
-    /// structure does that overrides this, or that has nothing to follow with.
-    fn refit<P: Primitives>(&mut self, primitives: &P, moved: Moved<'_>) -> Aabb {
-        let _ = moved;
-        primitives.total_bounds()
+    /// holds for the new boxes. Called only with one of [`UPDATES`](Self::UPDATES), which a structure names that
+    /// overrides this, or that has nothing to follow with; `build` is that of the structure, for one that builds parts
+    /// anew.
+    fn refit<P: Primitives>(
+        &mut self,
+        update: Update,
+        primitives: &P,
+        moved: Moved<'_>,
+        build: &Build<'_>,
+    ) -> Followed {
+        let _ = (update, moved, build);
+        Followed::in_place(primitives.total_bounds())
     }
 
     /// Bytes of the index itself, without the primitives.
@@ -286,7 +293,8 @@ pub trait Primitives: Bounded + Send + Sync {
     fn padding(&self) -> Padding;
 
     /// Puts the primitives into the order of a structure: slot `i` gets a copy of primitive
-    /// `order[i]`, or stays empty. Hits go on to speak of ids: the indices before any reordering.
+    /// `order[i]`, or stays empty. Hits go on to speak of ids: the indices before any reordering. If it
+    /// is done again, `order` has slots as they are by then.
     fn reorder(&mut self, order: &[u32]);
 
     /// Records in `answer` what some slots have for a ray that has not ended: every hit that counts,

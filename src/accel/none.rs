@@ -14,6 +14,7 @@ use crate::math::{BoxRay, Ray};
 use super::save::expect_dense;
 use super::{
     Accel, Bounded, Build, Built, Decoder, Encoder, LoadError, Portable, Slots, StructureShape,
+    Update,
 };
 
 /// Offers everything.
@@ -25,8 +26,8 @@ pub struct Exhaustive {
 impl Accel for Exhaustive {
     const ONE_BY_ONE: bool = true;
 
-    /// It has no boxes.
-    const REFITS: bool = true;
+    /// It has no boxes, and nothing to improve.
+    const UPDATES: &'static [Update] = &[Update::Refit];
 
     fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
         Built { accel: Self { count: primitives.count() }, order: None }

@@ -12,10 +12,13 @@ use super::load::{LoadError, SceneFile, print_load_error};
 use super::output::{Output, make_folder, print};
 use super::source;
 use super::terminal::{print_error, print_message};
-use crate::compare::{self, MotionError, MotionPlan, measure_motion};
-use crate::record::{Motion, Strategy};
+use crate::compare::{self, MeasuredMotion, MotionError, MotionPlan, measure_motion, offers};
+use crate::record::{FramePicture, Motion};
 use crate::report::MotionReport;
-use crate::scene::Scene;
+use crate::scene::{Scene, Structure};
+
+/// The most pictures in the page.
+const PICTURES: u32 = 24;
 
 /// Measures the sequence, prints the table and writes the files.
 pub(super) fn run(arguments: &AnimateArguments, interrupt: &Interrupt) -> CommandResult {
@@ -39,8 +42,8 @@ pub(super) fn run(arguments: &AnimateArguments, interrupt: &Interrupt) -> Comman
     let progress = CompareProgress::start(arguments.quiet, interrupt.clone(), None, None);
     let measured = interrupt.cancellable(|| measure_motion(&plan, scene_of, &progress));
     drop(progress);
-    let mut motion = match measured {
-        Ok(motion) => motion,
+    let MeasuredMotion { mut motion, pictures } = match measured {
+        Ok(measured) => measured,
         Err(MotionError::Frame { why, frame }) => {
             let exit = wrong_scene(&why);
             print_message(format_args!("in frame {frame}"));
@@ -51,7 +54,7 @@ pub(super) fn run(arguments: &AnimateArguments, interrupt: &Interrupt) -> Comman
     motion.scene = source::name(&arguments.scene);
     motion.run.command = std::env::args().collect::<Vec<_>>().join(" ");
     motion.run.date = jiff::Zoned::now().strftime("%Y-%m-%dT%H:%M:%S%:z").to_string();
-    conclude(arguments, &motion, files, interrupt)
+    conclude(arguments, (&motion, &pictures), files, interrupt)
 }
 
 fn wrong_scene(error: &LoadError) -> Exit {
@@ -62,13 +65,13 @@ fn wrong_scene(error: &LoadError) -> Exit {
 /// Prints the table, and writes the files.
 fn conclude(
     arguments: &AnimateArguments,
-    motion: &Motion,
+    (motion, pictures): (&Motion, &[FramePicture]),
     files: Option<Files>,
     interrupt: &Interrupt,
 ) -> CommandResult {
     let report = MotionReport::new(motion);
     if let Some(files) = files {
-        files.write(&report)?;
+        files.write(&report, pictures)?;
     }
     if !arguments.quiet {
         print(&report.terminal().replace(['\u{a0}', '\u{202f}'], " "))?;
@@ -98,10 +101,10 @@ fn plan(arguments: &AnimateArguments) -> Result<MotionPlan, Failure> {
             frames.first + 9,
         )));
     }
-    let refits = |strategy: &Strategy| *strategy == Strategy::Refit;
-    if strategies.iter().all(refits) && !structures.iter().any(|own| own.can_refit()) {
+    let offered = |own: &Structure| strategies.iter().any(|&strategy| offers(own, strategy));
+    if !structures.iter().any(offered) {
         return Err(Failure::new(
-            "none of these structures can be refitted: add `rebuild` to --strategies",
+            "none of these structures can follow in these ways: add `rebuild` to --strategies",
         ));
     }
     let processors = available_parallelism().map_or(1, std::num::NonZero::get);
@@ -113,23 +116,29 @@ fn plan(arguments: &AnimateArguments) -> Result<MotionPlan, Failure> {
         rounds: arguments.rounds,
         rays_per_class: arguments.rays as usize,
         size: [arguments.size.width, arguments.size.height],
+        pictures: if arguments.out.is_some() { PICTURES } else { 0 },
     })
 }
 
 /// The files of a report.
-struct Files([Output; 3]);
+struct Files([Output; 4]);
 
 impl Files {
     /// Makes the folder, and checks that the files can be written.
     fn prepare(folder: &Path) -> Result<Self, Failure> {
         make_folder(folder)?;
         let file = |name: &str| Output::prepare(&folder.join(name));
-        Ok(Self([file("motion.json")?, file("motion.md")?, file("motion.csv")?]))
+        Ok(Self([
+            file("motion.json")?,
+            file("motion.md")?,
+            file("motion.csv")?,
+            file("motion.html")?,
+        ]))
     }
 
-    fn write(self, report: &MotionReport<'_>) -> Result<(), Failure> {
+    fn write(self, report: &MotionReport<'_>, pictures: &[FramePicture]) -> Result<(), Failure> {
         let json = report.json().map_err(Failure::new)?;
-        let texts = [json, report.markdown(), report.csv()];
+        let texts = [json, report.markdown(), report.csv(), report.html(pictures)];
         for (file, text) in self.0.into_iter().zip(texts) {
             file.write(|to| to.write_all(text.as_bytes()))?;
         }

@@ -16,7 +16,8 @@ use crate::scene::{Structure, structure_named};
 #[command(after_help = "\
 Each structure is built for the first frame; for each frame after it, it is made ready in each way, and traces the rays\n\
 of a small picture of that frame. The answers of all are compared, bit for bit, and some of them with those of no\n\
-structure at all. With --out, the folder gets motion.json, motion.md and motion.csv.\n\n\
+structure at all. With --out, the folder gets motion.json, motion.md, motion.csv and motion.html, a page that\n\
+loads nothing, with pictures of up to 24 frames as a flip-book.\n\n\
 Exit codes: 0 no answer differs; 1 one does; 2 trouble; 130 interrupted by Ctrl-C, 128 + n by another signal n: the\n\
 frames that were done are written.\n\n\
 Examples:\n  \
@@ -41,7 +42,7 @@ pub(crate) struct AnimateArguments {
         value_parser = described(&Strategy::ALL, Strategy::name, Strategy::summary))]
     pub(crate) strategies: Vec<Strategy>,
 
-    /// Threads that build and refit [default: one a processor]; rays are timed on one
+    /// Threads that build and follow [default: one a processor]; rays are timed on one
     #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = whole::<u16>(1, 1024))]
     pub(crate) threads: Option<u16>,
@@ -60,7 +61,7 @@ pub(crate) struct AnimateArguments {
         value_parser = whole::<u32>(64, 10_000_000))]
     pub(crate) rays: u32,
 
-    /// The folder to write motion.json, motion.md and motion.csv into [default: none is written]
+    /// The folder to write motion.json, .md, .csv and .html into [default: none is written]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 

@@ -91,7 +91,7 @@ pub(crate) enum Command {
     Check(CheckArguments),
     /// Compare acceleration structures, prove their results equal, and write a report
     Compare(CompareArguments),
-    /// Measure how structures follow a scene that moves: rebuilt or refitted, frame by frame
+    /// Measure how structures follow a scene that moves: rebuilt, refitted or both, frame by frame
     Animate(AnimateArguments),
     /// Check that acceleration structures give equal hits, bit for bit
     Conformance(ConformanceArguments),

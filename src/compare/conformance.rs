@@ -70,14 +70,17 @@ fn check(structure: &Structure, pools: &Pools, limits: &Limits<'_>) -> Option<Co
 
 /// The difference as plain data. Numbers in words read back as the same bits.
 fn in_words(difference: &FirstDifference) -> ConformanceDifference {
-    let FirstDifference { mesh, scale, offset, quality, refitted, way, ray, expected, got } =
+    let FirstDifference { mesh, scale, offset, quality, update, way, ray, expected, got } =
         difference;
     let answer = |answer: &Answer| answer.to_string();
     ConformanceDifference {
         mesh: (*mesh).to_owned(),
         scale: *scale,
         offset: offset.to_array(),
-        build: quality.name().to_owned() + if *refitted { ", refitted" } else { "" },
+        build: match update {
+            Some(update) => format!("{}, {}", quality.name(), update.participle()),
+            None => quality.name().to_owned(),
+        },
         way: way.to_string(),
         ray: format!("{ray:?}"),
         expected: answer(expected),

@@ -103,7 +103,7 @@ mod trial;
 
 pub use family::Family;
 pub use machine::{disturbances, machine};
-pub use motion::{MotionError, MotionPlan, measure_motion};
+pub use motion::{MeasuredMotion, MotionError, MotionPlan, measure_motion, offers};
 pub use observer::{Observer, Silent};
 pub(crate) use panics::catch_panic;
 pub(crate) use picture_file::{heatmap_name, picture_name};

@@ -6,9 +6,12 @@
 //! to frame and from round to round. The answers of all must be equal, bit for bit, and those of some rays equal to
 //! those of no structure at all.
 
-use crate::accel::{BuildConfig, Quality};
+mod pictures;
+
+use crate::accel::{BuildConfig, Quality, Update};
 use crate::record::{
-    MOTION_VERSION, Motion, MotionRays, Moved, RayClass, Round, Run, Strategy, StrategyRecord,
+    FramePicture, MOTION_VERSION, Motion, MotionRays, Moved, RayClass, Round, Run, Strategy,
+    StrategyRecord,
 };
 use crate::render::Settings;
 use crate::scene::{Scene, SceneChange, Structure, TracedWorld, structure_named};
@@ -20,6 +23,7 @@ use super::pools::Pools;
 use super::record_rays::{RaySet, rays_of_picture};
 use super::trace::trace;
 use crate::analysis::statistics::median;
+use pictures::{picture_of, shown_frames};
 
 /// Tests of triangles that no structure at all may make in a frame for each class.
 const TESTS_OF_NONE: u64 = 40_000_000;
@@ -32,7 +36,7 @@ const MOST_FOR_NONE: u64 = 2_000;
 pub struct MotionPlan {
     /// The structures.
     pub structures: Vec<Structure>,
-    /// How each is made ready. A structure that cannot be refitted is not.
+    /// How each is made ready, of what it offers.
     pub strategies: Vec<Strategy>,
     /// The frame that all are built for, and the last one.
     pub frames: [u32; 2],
@@ -44,6 +48,17 @@ pub struct MotionPlan {
     pub rays_per_class: usize,
     /// Width and height of the picture whose rays are recorded.
     pub size: [u32; 2],
+    /// The most frames of which a picture is rendered, of that size; none for 0.
+    pub pictures: u32,
+}
+
+/// What was measured.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MeasuredMotion {
+    /// The record.
+    pub motion: Motion,
+    /// Pictures of some frames, from the first to the last, rendered with the first structure.
+    pub pictures: Vec<FramePicture>,
 }
 
 /// Why there is no record.
@@ -67,6 +82,14 @@ pub enum MotionError<E> {
         /// Why.
         text: String,
     },
+    /// A picture cannot be written.
+    #[error("the picture of frame {frame}: {text}")]
+    Picture {
+        /// The frame.
+        frame: u32,
+        /// Why.
+        text: String,
+    },
     /// The system grants no threads.
     #[error("cannot start {threads} threads: {text}")]
     Threads {
@@ -81,12 +104,12 @@ pub enum MotionError<E> {
 /// the frames that were done.
 ///
 /// # Errors
-/// If a frame cannot be had, or a structure cannot be built.
+/// If a frame cannot be had, a structure cannot be built, or a picture cannot be written.
 pub fn measure_motion<E>(
     plan: &MotionPlan,
     mut scene_of: impl FnMut(u32) -> Result<Scene, E>,
     observer: &dyn Observer,
-) -> Result<Motion, MotionError<E>> {
+) -> Result<MeasuredMotion, MotionError<E>> {
     let pools = Pools::start(plan.threads)
         .map_err(|(threads, error)| MotionError::Threads { threads, text: error.to_string() })?;
     let [first, last] = plan.frames;
@@ -107,6 +130,18 @@ pub fn measure_motion<E>(
         triangles: before.stored_triangle_count(),
         ..Motion::default()
     };
+    let shown = shown_frames(plan);
+    let mut pictures = Vec::new();
+    let mut show = |frame, scene: &Scene, followers: &[Follower]| {
+        if shown.contains(&frame)
+            && let Some(world) = followers.first().and_then(|own| own.world.as_deref())
+        {
+            let picture = pools.all.install(|| picture_of(plan, frame, scene, world));
+            pictures.extend(picture.map_err(|text| MotionError::Picture { frame, text })?);
+        }
+        Ok(())
+    };
+    show(first, &before, &followers)?;
     for frame in first + 1..=last {
         if observer.cancelled() {
             motion.run.partial = true;
@@ -124,10 +159,11 @@ pub fn measure_motion<E>(
             updated.map_err(|text| follower.failed(frame, text))?;
         }
         pools.one.install(|| trace_frame(plan, &mut motion, &mut followers, &after));
+        show(frame, &after, &followers)?;
         before = after;
     }
     motion.strategies = followers.into_iter().map(Follower::finish).collect();
-    Ok(motion)
+    Ok(MeasuredMotion { motion, pictures })
 }
 
 fn run(plan: &MotionPlan) -> Run {
@@ -148,6 +184,22 @@ fn moved(change: Option<&SceneChange<'_>>) -> Moved {
     }
 }
 
+/// How a structure follows with a strategy; `None` if it is built anew.
+fn update_of(strategy: Strategy) -> Option<Update> {
+    match strategy {
+        Strategy::Rebuild | Strategy::QuickRebuild => None,
+        Strategy::Refit => Some(Update::Refit),
+        Strategy::Rotate => Some(Update::Rotate),
+        Strategy::Partial => Some(Update::Partial),
+    }
+}
+
+/// Whether a structure offers a strategy.
+#[must_use]
+pub fn offers(structure: &Structure, strategy: Strategy) -> bool {
+    update_of(strategy).is_none_or(|update| structure.can_follow(update))
+}
+
 /// A structure, and how it is made ready.
 struct Follower {
     structure: Structure,
@@ -158,7 +210,7 @@ struct Follower {
 
 fn followers(plan: &MotionPlan) -> Vec<Follower> {
     let strategies = |structure: &Structure| {
-        let offered = |strategy: &Strategy| *strategy != Strategy::Refit || structure.can_refit();
+        let offered = |strategy: &Strategy| offers(structure, *strategy);
         let of = |strategy| Follower::new(*structure, strategy);
         plan.strategies.iter().copied().filter(offered).map(of).collect::<Vec<_>>()
     };
@@ -169,7 +221,7 @@ impl Follower {
     fn new(structure: Structure, strategy: Strategy) -> Self {
         let quality = match strategy {
             Strategy::QuickRebuild => Quality::Fastest,
-            Strategy::Rebuild | Strategy::Refit => Quality::default(),
+            _ => Quality::default(),
         };
         let record = StrategyRecord {
             structure: structure.name.to_owned(),
@@ -194,13 +246,12 @@ impl Follower {
 
     /// Makes it ready for a frame.
     fn update(&mut self, scene: &Scene, change: Option<&SceneChange<'_>>) -> Result<(), String> {
-        let refits = self.record.strategy == Strategy::Refit;
+        let update = update_of(self.record.strategy);
         // What is replaced is dropped outside of what is timed.
         let mut old = None;
         let (done, round) = timed(|| {
-            if refits
-                && let (Some(world), Some(change)) = (&mut self.world, change)
-                && world.refit(change)
+            if let (Some(update), Some(world), Some(change)) = (update, &mut self.world, change)
+                && world.refit(change, update)
             {
                 return Ok(true);
             }
@@ -208,7 +259,7 @@ impl Follower {
             self.build(scene).map(|()| false)
         });
         drop(old);
-        self.record.rebuilt += u64::from(refits && !done?);
+        self.record.rebuilt += u64::from(!done? && update.is_some());
         self.record.updates.push(round);
         Ok(())
     }

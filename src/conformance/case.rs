@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use crate::accel::{
     Accel, AnyHit, BuildConfig, BuildOptions, ClosestHit, Exhaustive, Indexed, Moved, Primitives,
-    Quality, Query, Scratch,
+    Quality, Query, Scratch, Update,
 };
 use crate::counters::{Counts, NoCounters};
 use crate::math::{Hit, Ray};
@@ -77,16 +77,16 @@ impl Case<'_> {
             1.0 => &[Quality::Fastest, Quality::Medium, Quality::Slowest],
             _ => &[Quality::Medium],
         };
-        let built = qualities.iter().map(|&quality| (quality, false));
-        let refitted = A::REFITS.then_some((Quality::Medium, true));
+        let built = qualities.iter().map(|&quality| (quality, None));
+        let followed = A::UPDATES.iter().map(|&update| (Quality::Medium, Some(update)));
         let mut compared = 0;
-        for (quality, refit) in built.chain(refitted) {
+        for (quality, update) in built.chain(followed) {
             if compared > 0 && ended() {
                 return Ok(made.summary(compared, false));
             }
-            let own = match refit {
-                true => refitted_to::<P, A>(&moved, quality, options),
-                false => indexed::<P, A>(&moved, quality, options),
+            let own = match update {
+                Some(update) => followed_to::<P, A>(&moved, update, quality, options),
+                None => indexed::<P, A>(&moved, quality, options),
             };
             let mut from = 0;
             while let Some(slice) = made.slice_from(from) {
@@ -100,7 +100,7 @@ impl Case<'_> {
                         let MadeRays { rays, expected, .. } = &made;
                         let got = answers(&own, &rays[part.clone()], way);
                         if let Some((i, got)) = first_unlike(part, &got, expected) {
-                            let made = (quality, refit);
+                            let made = (quality, update);
                             return Err(self.difference(made, way, rays[i], expected[i], got));
                         }
                     }
@@ -114,14 +114,14 @@ impl Case<'_> {
 
     fn difference(
         &self,
-        (quality, refitted): (Quality, bool),
+        (quality, update): (Quality, Option<Update>),
         way: Way,
         ray: Ray,
         expected: Answer,
         got: Answer,
     ) -> FirstDifference {
         let Self { mesh: &Mesh { name: mesh, .. }, scale, offset } = *self;
-        FirstDifference { mesh, scale, offset, quality, refitted, way, ray, expected, got }
+        FirstDifference { mesh, scale, offset, quality, update, way, ray, expected, got }
     }
 }
 
@@ -198,8 +198,9 @@ pub(super) fn indexed<P: Triangles, A: Accel>(
 
 /// A structure that was built for the mesh with its vertices in each other's places, and has followed them to their own
 /// in two steps.
-fn refitted_to<P: Triangles, A: Accel>(
+fn followed_to<P: Triangles, A: Accel>(
     mesh: &Mesh,
+    update: Update,
     quality: Quality,
     options: &BuildOptions,
 ) -> Indexed<P, A> {
@@ -212,7 +213,7 @@ fn refitted_to<P: Triangles, A: Accel>(
     let mut own = indexed::<P, A>(&stirred(3), quality, options);
     for Mesh { positions, triangles, .. } in [stirred(1), stirred(0)] {
         let change = |own: &mut P| own.set().move_to(&positions, &triangles);
-        let done = own.refit(Moved::All, change, |own, bounds| own.set().settle(bounds));
+        let done = own.refit(update, Moved::All, change, |own, bounds| own.set().settle(bounds));
         done.unwrap_or_else(|error| panic!("the triangles have moved: {error}"));
     }
     own

@@ -4,7 +4,7 @@ use std::fmt;
 
 use glam::Vec3;
 
-use crate::accel::Quality;
+use crate::accel::{Quality, Update};
 use crate::math::{Hit, Ray};
 
 /// The first ray whose answers differ.
@@ -18,8 +18,8 @@ pub struct FirstDifference {
     pub offset: Vec3,
     /// How the structure was to be built.
     pub quality: Quality,
-    /// Whether it was built for the same triangles in other places, and has followed them.
-    pub refitted: bool,
+    /// How it has followed the triangles, if it was built for them in other places.
+    pub update: Option<Update>,
     /// How the ray was searched for.
     pub way: Way,
     /// The ray.
@@ -60,10 +60,11 @@ impl fmt::Display for FirstDifference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { mesh, scale, offset, ray, .. } = self;
         let (quality, way) = (self.quality.name(), self.way);
-        let refitted = if self.refitted { " and refitted" } else { "" };
+        let followed = self.update.map(|update| format!(" and {}", update.participle()));
+        let followed = followed.unwrap_or_default();
         writeln!(
             f,
-            "mesh `{mesh}` times {scale:e} plus {offset}, built `{quality}`{refitted}, traced {way}: {ray:?}"
+            "mesh `{mesh}` times {scale:e} plus {offset}, built `{quality}`{followed}, traced {way}: {ray:?}"
         )?;
         writeln!(f, "  got      {}", self.got)?;
         write!(f, "  expected {}", self.expected)

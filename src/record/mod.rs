@@ -29,7 +29,9 @@ pub use comparison::{Comparison, SCHEMA_VERSION};
 pub use conformance::{Conformance, ConformanceDifference, ConformanceOutcome};
 pub use estimate::{Estimate, Interval};
 pub use machine::Machine;
-pub use motion::{MOTION_VERSION, Motion, MotionRays, Moved, Strategy, StrategyRecord};
+pub use motion::{
+    FramePicture, MOTION_VERSION, Motion, MotionRays, Moved, Strategy, StrategyRecord,
+};
 pub use proof::{PeerAgreement, Proof, StructureProof};
 pub use ray_class::RayClass;
 pub use run::{Options, RoundRule, Run};

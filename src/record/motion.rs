@@ -54,6 +54,17 @@ pub struct MotionRays {
     pub rays: Vec<u64>,
 }
 
+/// A small picture of a frame, for a page; it is in no record.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FramePicture {
+    /// The frame.
+    pub frame: u32,
+    /// Width and height.
+    pub size: [u32; 2],
+    /// Its bytes as PNG.
+    pub png: Vec<u8>,
+}
+
 /// How a structure is made ready for a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -64,11 +75,16 @@ pub enum Strategy {
     QuickRebuild,
     /// Its boxes follow what has moved.
     Refit,
+    /// Its boxes follow, and neighbours in the tree change places where that makes boxes smaller.
+    Rotate,
+    /// Its boxes follow, and parts of the tree that have become much worse are built anew.
+    Partial,
 }
 
 impl Strategy {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Rebuild, Self::QuickRebuild, Self::Refit];
+    pub const ALL: [Self; 5] =
+        [Self::Rebuild, Self::QuickRebuild, Self::Refit, Self::Rotate, Self::Partial];
 
     /// The name on the command line and in reports.
     #[must_use]
@@ -77,6 +93,8 @@ impl Strategy {
             Self::Rebuild => "rebuild",
             Self::QuickRebuild => "quick",
             Self::Refit => "refit",
+            Self::Rotate => "rotate",
+            Self::Partial => "partial",
         }
     }
 
@@ -87,6 +105,12 @@ impl Strategy {
             Self::Rebuild => "built anew for each frame, in medium quality",
             Self::QuickRebuild => "built anew for each frame, in the fastest quality",
             Self::Refit => "built once; boxes follow what moves",
+            Self::Rotate => {
+                "as refit, and neighbours in the tree change places where boxes become smaller"
+            }
+            Self::Partial => {
+                "as refit, and parts that cost a fifth more than when they were built are rebuilt"
+            }
         }
     }
 }
@@ -105,7 +129,7 @@ pub struct StrategyRecord {
     /// The cost of its trees in the last frame, by the surface area heuristic: over the triangles of all meshes, and
     /// over the objects. Absent where there is no tree.
     pub sah_costs: [Option<f64>; 2],
-    /// In how many frames it had to be built anew, although it was to be refitted.
+    /// In how many frames it had to be built anew, although it was to follow.
     pub rebuilt: u64,
     /// How many rays were compared with those of the first strategy.
     pub compared: u64,

@@ -192,8 +192,8 @@ pub(super) fn pareto(looks: &Looks, scene: &SceneFigures) -> Option<Plot> {
             "Each structure's build time and the time of the picture's mean ray. Less is better \
                   in both. The dotted line is the Pareto front."
                 .to_owned(),
-        x: Ends { label: "build, all threads (logarithmic)", units: TIME },
-        y: Ends { label: "mean ray of the picture (logarithmic)", units: TIME },
+        x: Ends::logarithmic("build, all threads (logarithmic)", TIME),
+        y: Ends::logarithmic("mean ray of the picture (logarithmic)", TIME),
         series: series.collect(),
         path: stairs(&front),
         rings: Vec::new(),
@@ -242,8 +242,8 @@ pub(super) fn break_even(looks: &Looks, scene: &SceneFigures) -> Option<Plot> {
         meaning: "Build and rays together against the number of the picture's mean rays. A ring \
                   marks where a structure and the base have taken the same time."
             .to_owned(),
-        x: Ends { label: "rays (logarithmic)", units: COUNT },
-        y: Ends { label: "build and rays together (logarithmic)", units: TIME },
+        x: Ends::logarithmic("rays (logarithmic)", COUNT),
+        y: Ends::logarithmic("build and rays together (logarithmic)", TIME),
         series: series.collect(),
         path: Vec::new(),
         rings: meetings.iter().map(|&n| (n, total(base, n))).collect(),
@@ -270,8 +270,8 @@ pub(super) fn growth(looks: &Looks, sweep: &SweepFigures, class: RayClass) -> Op
             "Time of a ray against the number of {}. Dashed lines are power laws.",
             sweep.unit
         ),
-        x: Ends { label, units: COUNT },
-        y: Ends { label: "time of a ray (logarithmic)", units: TIME },
+        x: Ends::logarithmic(label, COUNT),
+        y: Ends::logarithmic("time of a ray (logarithmic)", TIME),
         series: curves.map(|curve| curve_series(looks, curve)).collect(),
         path: Vec::new(),
         rings: Vec::new(),
@@ -341,8 +341,8 @@ pub(super) fn noise(analysis: &Analysis, scene: &str) -> Option<Plot> {
         meaning: "The noise of frames with growing numbers of view samples against the time of a \
                   frame on one thread, for each sampling method. Less is better in both."
             .to_owned(),
-        x: Ends { label: "processor time of a frame (logarithmic)", units: TIME },
-        y: Ends { label: "RMSE to a converged picture (logarithmic)", units: &[] },
+        x: Ends::logarithmic("processor time of a frame (logarithmic)", TIME),
+        y: Ends::logarithmic("RMSE to a converged picture (logarithmic)", &[]),
         series: series.collect(),
         path: Vec::new(),
         rings: Vec::new(),

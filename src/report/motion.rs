@@ -1,4 +1,6 @@
-//! The record of a scene that moves → text, Markdown, CSV and JSON.
+//! The record of a scene that moves → text, Markdown, CSV, JSON and a page.
+
+mod page;
 
 use std::fmt::Write;
 
@@ -9,7 +11,7 @@ use super::tables::{Cell, Table};
 use super::{markdown_table, terminal_table};
 use crate::analysis::motion::{StrategyFigures, motion_figures};
 use crate::analysis::statistics::BreakEven;
-use crate::record::{Motion, StrategyRecord};
+use crate::record::{FramePicture, Motion, StrategyRecord};
 
 /// A record and what follows from it, ready to be written in every form.
 #[derive(Clone, Debug)]
@@ -70,6 +72,12 @@ impl<'a> MotionReport<'a> {
         let table = markdown_table(&self.table());
         let lines = self.lines().join("\n\n");
         format!("# srt animates\n\n{}\n\n{table}\n{lines}\n", self.headline())
+    }
+
+    /// A self-contained HTML page: the pictures as a flip-book, the table, and the times frame by frame.
+    #[must_use]
+    pub fn html(&self, pictures: &[FramePicture]) -> String {
+        page::write(self, pictures)
     }
 
     /// Text for a terminal.

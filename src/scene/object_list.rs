@@ -284,6 +284,7 @@ impl<A: Accel> Primitives for ObjectList<A> {
             objects.push(object);
         }
         self.objects = objects;
+        self.slots.clear();
     }
 
     #[inline]

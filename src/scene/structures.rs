@@ -8,7 +8,7 @@ use std::time::Instant;
 use crate::accel::{
     Accel, BallTree, BoundingBall, BuildConfig, BuildOptions, Bvh, Bvh8, CompressedWideBvh,
     Exhaustive, Grid, Indexed, KDopTree, KdTree, LoadError, Octree, OptionError, OptionInfo,
-    Portable, Tracer, TwoLevelGrid,
+    Portable, Tracer, TwoLevelGrid, Update,
 };
 use crate::assets::expect_memory;
 use crate::conformance::{self, FirstDifference, Limits, Summary};
@@ -43,7 +43,8 @@ pub struct Structure {
     options: &'static BuildOptions,
     /// The bytes that a build takes for each triangle of a mesh, and for each object.
     build_bytes: [u64; 2],
-    refits: bool,
+    /// In which ways the structure over the objects can follow, and that over the triangles.
+    updates: [&'static [Update]; 2],
     build: BuildFunction,
     /// What structures that give equal hits can do beside; none for peers.
     equal: Option<EqualHits>,
@@ -93,7 +94,7 @@ impl Structure {
             offered: [T::OPTIONS, O::OPTIONS],
             options: NO_OPTIONS,
             build_bytes: [PACKED_TRIANGLE + T::BUILD_BYTES, LISTED_OBJECT + O::BUILD_BYTES],
-            refits: O::REFITS && T::REFITS,
+            updates: [O::UPDATES, T::UPDATES],
             build: |scene, config| Ok(Box::new(World::<O, T>::build(scene, config))),
             equal: Some(EqualHits {
                 index: |triangles, config| Box::new(Indexed::<_, T>::build(triangles, config)),
@@ -131,7 +132,7 @@ impl Structure {
             offered: [F::OPTIONS, &[]],
             options: NO_OPTIONS,
             build_bytes: [PACKED_TRIANGLE, 0],
-            refits: false,
+            updates: [&[]; 2],
             build: |scene, config| Ok(Box::new(ForeignWorld::<F>::build(scene, config)?)),
             equal: None,
             saved: None,
@@ -150,10 +151,10 @@ impl Structure {
         self.base_name
     }
 
-    /// Whether it can follow a scene that moves ([`TracedWorld::refit`]).
+    /// Whether it can follow a scene that moves in some way ([`TracedWorld::refit`]).
     #[must_use]
-    pub fn can_refit(&self) -> bool {
-        self.refits
+    pub fn can_follow(&self, update: Update) -> bool {
+        self.updates.iter().all(|offered| offered.contains(&update))
     }
 
     /// The options that it offers, each name once.

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use crate::accel::{
     Accel, Answers, BuildConfig, BuildStages, Indexed, Moved, OptionInfo, Regions, Scratch,
-    StructureShape, Tracer,
+    StructureShape, Tracer, Update,
 };
 use crate::assets::MeshData;
 use crate::counters::Counts;
@@ -54,11 +54,11 @@ pub trait TracedWorld: Tracer {
     /// What building it took and gave.
     fn build_report(&self) -> BuildReport;
 
-    /// Follows a scene that has moved, from the frame that it was built or refitted for: boxes are moved, nothing is
-    /// built. Whether that was possible; if it was not, it must be built anew. The answers are those of a world that
-    /// is built for the scene as it is, bit for bit.
-    fn refit(&mut self, change: &SceneChange<'_>) -> bool {
-        let _ = change;
+    /// Follows a scene that has moved, from the frame that it was built or refitted for, in some way. Whether that was
+    /// possible; if it was not, it must be built anew. The answers are those of a world that is built for the scene as
+    /// it is, bit for bit.
+    fn refit(&mut self, change: &SceneChange<'_>, update: Update) -> bool {
+        let _ = (change, update);
         false
     }
 
@@ -113,7 +113,7 @@ fn only_mesh(scene: &Scene) -> Option<usize> {
 impl<O: Accel, T: Accel> World<O, T> {
     /// Lets the meshes that have changed follow, then the objects. `None` if a mesh cannot be traced where it is now,
     /// or is held by another world too.
-    fn follow(&mut self, change: &SceneChange<'_>) -> Option<()> {
+    fn follow(&mut self, change: &SceneChange<'_>, update: Update) -> Option<()> {
         let Self { objects, meshes, only_mesh: only, .. } = self;
         // Each mesh is held in three places: it is changed where it stands, once nothing else holds it.
         *only = None;
@@ -125,7 +125,7 @@ impl<O: Accel, T: Accel> World<O, T> {
             let MeshData { positions, triangles, .. } = &*change.after.meshes()[mesh];
             let indexed = Arc::get_mut(&mut meshes[mesh])?;
             let change = |set: &mut TriangleSet| set.move_to(positions, triangles);
-            indexed.refit(Moved::All, change, TriangleSet::settle).ok()?;
+            indexed.refit(update, Moved::All, change, TriangleSet::settle).ok()?;
         }
         objects.primitives_mut().swap_meshes(&mut meshes.clone());
         *only = only_mesh(change.after).map(|mesh| Arc::clone(&meshes[mesh]));
@@ -138,7 +138,8 @@ impl<O: Accel, T: Accel> World<O, T> {
                 list.settle(bounds);
                 Ok(())
             };
-            objects.refit::<Infallible>(Moved::Slots(&slots), move_objects, settle).ok()?;
+            let moved = Moved::Slots(&slots);
+            objects.refit::<Infallible>(update, moved, move_objects, settle).ok()?;
         }
         Some(())
     }
@@ -164,8 +165,9 @@ impl<O: Accel, T: Accel> Tracer for World<O, T> {
 }
 
 impl<O: Accel, T: Accel> TracedWorld for World<O, T> {
-    fn refit(&mut self, change: &SceneChange<'_>) -> bool {
-        O::REFITS && T::REFITS && self.follow(change).is_some()
+    fn refit(&mut self, change: &SceneChange<'_>, update: Update) -> bool {
+        let offered = O::UPDATES.contains(&update) && T::UPDATES.contains(&update);
+        offered && self.follow(change, update).is_some()
     }
 
     fn build_report(&self) -> BuildReport {

@@ -6,9 +6,11 @@ use axum::Router;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{FromRequestParts, Request, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, header};
-use axum::response::{IntoResponse, Response};
+use axum::response::{Html, IntoResponse, Response};
+use maud::PreEscaped;
 
 use crate::live::Studio;
+use crate::page::{Page, Parts, served_policy};
 
 use super::guard::Guard;
 use super::socket;
@@ -18,9 +20,11 @@ const LONGEST_MESSAGE: usize = 4096;
 
 const SCRIPT: &str = "text/javascript; charset=utf-8";
 
-/// The files of the page: their names behind the token, their types, their bytes.
-const FILES: [(&str, &str, &str); 7] = [
-    ("", "text/html; charset=utf-8", include_str!("page/view.html")),
+/// The content of the page.
+const CONTENT: &str = include_str!("page/view.html");
+
+/// The files beside the page: their names behind the token, their types, their bytes.
+const FILES: [(&str, &str, &str); 6] = [
     ("view.css", "text/css; charset=utf-8", include_str!("page/view.css")),
     ("view.js", SCRIPT, include_str!("page/view.js")),
     ("page.js", SCRIPT, include_str!("page/page.js")),
@@ -53,12 +57,19 @@ async fn answer(State(shared): State<Arc<Shared>>, request: Request) -> Response
             plain(StatusCode::METHOD_NOT_ALLOWED, "a page is read, by GET")
         }
         Ok(Some(SOCKET)) => return upgrade(request, Arc::clone(&shared.studio)).await,
+        Ok(Some("")) => Html(page()).into_response(),
         Ok(rest) => match FILES.iter().find(|(name, ..)| rest == Some(name)) {
             Some((_, kind, bytes)) => ([(header::CONTENT_TYPE, *kind)], *bytes).into_response(),
             None => plain(StatusCode::NOT_FOUND, "there is no such page"),
         },
     };
     with_policy(response, host_for_policy.as_deref().unwrap_or_default())
+}
+
+/// The page itself.
+fn page() -> String {
+    let parts = Parts::Beside { style: "view.css", script: "view.js" };
+    Page { title: "srt view", parts }.with(PreEscaped(CONTENT.to_owned()))
 }
 
 /// A header as text.
@@ -88,11 +99,7 @@ fn with_policy(mut response: Response, host: &str) -> Response {
     // The host was admitted, or is not repeated: it holds no more than a name and a port.
     let is_plain =
         host.bytes().all(|byte| byte.is_ascii_alphanumeric() || b".:[]-".contains(&byte));
-    let socket = if is_plain && !host.is_empty() { format!(" ws://{host}") } else { String::new() };
-    let content = format!(
-        "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; \
-         connect-src 'self'{socket}; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
-    );
+    let content = served_policy(Some(host).filter(|host| is_plain && !host.is_empty()));
     let headers = response.headers_mut();
     if let Ok(content) = HeaderValue::from_str(&content) {
         headers.insert(header::CONTENT_SECURITY_POLICY, content);

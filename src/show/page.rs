@@ -1,21 +1,17 @@
 //! The slides of a structure → one self-contained page of HTML, for a lecture or for paper.
 //!
-//! It has no font and no external link, and its content security policy forbids loading anything, and running any
-//! script but the one of the slider. Without scripts, and on paper, all slides stand in rows.
+//! Without scripts, and on paper, all slides stand in rows.
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
-use sha2::{Digest, Sha256};
+use maud::{Markup, html};
 
 use crate::image_io::{EncodeError, Format, encode};
 use crate::math::Color;
+use crate::page::{Page, Parts, picture, slides as in_slides};
 use crate::scene::BuildReport;
 
 use super::slides::{LevelFacts, Slide, Which};
 
 const STYLE: &str = include_str!("style.css");
-const SCRIPT: &str = include_str!("slider.js");
 
 /// What the page says beside the slides.
 #[derive(Clone, Copy, Debug)]
@@ -37,70 +33,42 @@ pub struct Facts<'a> {
 /// # Errors
 /// If a picture is too large to be written.
 pub fn page(facts: &Facts<'_>, slides: &[Slide]) -> Result<String, EncodeError> {
-    let pictures: Vec<String> = slides
+    let figures: Vec<Markup> = slides
         .iter()
-        .map(|slide| encode(&slide.picture, Format::Png).map(|bytes| STANDARD.encode(bytes)))
-        .collect::<Result<_, _>>()?;
-    Ok(document(facts, slides, &pictures).into_string())
-}
-
-/// What the page may load: nothing; and run: the script whose hash this is.
-fn policy() -> String {
-    let hash = STANDARD.encode(Sha256::digest(SCRIPT));
-    format!(
-        "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-{hash}'"
-    )
-}
-
-fn document(facts: &Facts<'_>, slides: &[Slide], pictures: &[String]) -> Markup {
+        .map(|slide| Ok(figure(slide, &encode(&slide.picture, Format::Png)?)))
+        .collect::<Result<_, EncodeError>>()?;
     let title = format!("{} over {}", facts.structure, facts.scene);
+    let parts = Parts::Within {
+        version: env!("CARGO_PKG_VERSION"),
+        styles: &[STYLE, in_slides::STYLE],
+        script: in_slides::SCRIPT,
+    };
+    Ok(Page { title: &title, parts }.with(body(facts, slides, &figures)))
+}
+
+fn body(facts: &Facts<'_>, slides: &[Slide], figures: &[Markup]) -> Markup {
     html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                meta http-equiv="Content-Security-Policy" content=(policy());
-                meta name="generator" content=(format!("srt {}", env!("CARGO_PKG_VERSION")));
-                link rel="icon" href="data:,";
-                title { (title) }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                header {
-                    h1 { code { (facts.structure) } " over " (facts.scene) }
-                    p class="quiet" { (facts.summary) }
-                }
-                main {
-                    // Shown by the script.
-                    div class="controls" hidden {
-                        button type="button" data-step="-1" aria-label="the slide before" { "←" }
-                        input type="range" min="0" max=(slides.len().saturating_sub(1)) value="0" aria-label="slide";
-                        button type="button" data-step="1" aria-label="the next slide" { "→" }
-                        button type="button" data-all="" aria-pressed="false" { "All" }
-                    }
-                    div class="slides" {
-                        @for (slide, picture) in slides.iter().zip(pictures) { (figure(slide, picture)) }
-                    }
-                    (table(slides))
-                    (shape(facts))
-                }
-                footer class="quiet" {
-                    "Lines are the edges of the parts of space that rays are tested against; they are faint where a "
-                    "surface is before them. Made by srt " (env!("CARGO_PKG_VERSION")) "."
-                }
-                script { (PreEscaped(SCRIPT)) }
-            }
+        header {
+            h1 { code { (facts.structure) } " over " (facts.scene) }
+            p class="quiet" { (facts.summary) }
+        }
+        main {
+            (in_slides::slides("slide", None, figures))
+            (table(slides))
+            (shape(facts))
+        }
+        footer class="quiet" {
+            "Lines are the edges of the parts of space that rays are tested against; they are faint where a "
+            "surface is before them. Made by srt " (env!("CARGO_PKG_VERSION")) "."
         }
     }
 }
 
-fn figure(slide: &Slide, picture: &str) -> Markup {
+fn figure(slide: &Slide, png: &[u8]) -> Markup {
+    let size = [slide.picture.width, slide.picture.height];
     html! {
         figure {
-            img src=(format!("data:image/png;base64,{picture}")) width=(slide.picture.width)
-                height=(slide.picture.height) alt=(format!("{}: {}", slide.title, slide.caption));
+            (picture(png, size, &format!("{}: {}", slide.title, slide.caption)))
             figcaption {
                 strong {
                     @if let Some(level) = &slide.level { (chip(level.color)) }

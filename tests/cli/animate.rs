@@ -28,9 +28,9 @@ fn all_strategies_give_equal_answers_and_their_costs() {
     ] {
         assert!(run.stdout.contains(part), "{part}:\n{}", run.stdout);
     }
-    assert_eq!(run.stdout.lines().filter(|line| line.ends_with("equal")).count(), 6);
+    assert_eq!(run.stdout.lines().filter(|line| line.ends_with("equal")).count(), 10);
     let out = folder.path().join("out");
-    assert_eq!(names(&out), ["motion.csv", "motion.json", "motion.md"]);
+    assert_eq!(names(&out), ["motion.csv", "motion.html", "motion.json", "motion.md"]);
     let json: Value = serde_json::from_slice(&fs::read(out.join("motion.json")).unwrap()).unwrap();
     assert_eq!((&json["motion_version"], &json["frames"]), (&1.into(), &vec![2, 6].into()));
     let moved = &json["moved"][0];
@@ -44,8 +44,8 @@ fn all_strategies_give_equal_answers_and_their_costs() {
         .iter()
         .map(|own| (own["structure"].as_str().unwrap(), own["strategy"].as_str().unwrap()))
         .collect();
-    let expected =
-        ["bvh", "bvh8"].map(|name| [(name, "rebuild"), (name, "quick_rebuild"), (name, "refit")]);
+    let strategies_of_all = ["rebuild", "quick_rebuild", "refit", "rotate", "partial"];
+    let expected = ["bvh", "bvh8"].map(|name| strategies_of_all.map(|strategy| (name, strategy)));
     assert_eq!(names, expected.as_flattened());
     for (own, derived) in strategies.iter().zip(json["derived"].as_array().unwrap()) {
         assert_eq!((&own["differing"], &own["rebuilt"]), (&0.into(), &0.into()));
@@ -55,7 +55,13 @@ fn all_strategies_give_equal_answers_and_their_costs() {
         assert!(derived["sah_share"].as_f64().unwrap() > 0.5);
     }
     let csv = fs::read_to_string(out.join("motion.csv")).unwrap();
-    assert_eq!(csv.lines().count(), 1 + 6 * 4);
+    assert_eq!(csv.lines().count(), 1 + 10 * 4);
+    let page = fs::read_to_string(out.join("motion.html")).unwrap();
+    for frame in 2..=6 {
+        assert!(page.contains(&format!("alt=\"scene.sce, frame {frame}\"")), "{frame}");
+    }
+    assert_eq!(page.matches("data:image/png;base64,").count(), 5);
+    assert!(page.contains("default-src 'none'") && !page.contains("http:"));
     assert!(csv.starts_with("structure,strategy,frame,update_ns,view_rays,view_trace_ns,shadow"));
 }
 
@@ -99,7 +105,7 @@ fn what_cannot_be_measured_is_refused() {
     assert!(refused(&[]).contains("--frames"));
     assert!(refused(&["--frames", "3..3"]).contains("name a later one as the last, as in 3..12"));
     let none = refused(&["--frames", "0..3", "--accel", "kdtree", "--strategies", "refit"]);
-    assert!(none.contains("none of these structures can be refitted"), "{none}");
+    assert!(none.contains("none of these structures can follow in these ways"), "{none}");
     fs::write(
         folder.path().join("scene.sce"),
         SCENE.replace("translate 1.6 0.4 1", "at 0 scale 1 1 1\nto 4 scale 1 1 -1"),

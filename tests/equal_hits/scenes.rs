@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DQuat, DVec3, Vec3, Vec3Swizzles};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
-use srt::accel::{BuildConfig, Quality};
+use srt::accel::{BuildConfig, Quality, Update};
 use srt::assets::MeshData;
 use srt::conformance::adversarial_rays::rays_cut_at_hits;
 use srt::conformance::nasty_meshes::{self, Mesh, random_point};
@@ -65,23 +65,27 @@ fn scenes_that_move_after_refits() {
 fn compare_frames(seed: u64, scale: f64, numbers: Range<usize>) -> usize {
     let config = BuildConfig::default();
     let mut scene = random_scene(seed, scale, numbers.clone());
-    let following = STRUCTURES.iter().filter(|structure| structure.can_refit());
-    let mut worlds: Vec<_> =
-        following.map(|structure| (structure.name, structure.build(&scene, &config))).collect();
-    assert_eq!(worlds.iter().map(|(name, _)| *name).collect::<Vec<_>>(), ["none", "bvh", "bvh8"]);
+    let ways =
+        STRUCTURES.iter().flat_map(|structure| Update::ALL.map(|update| (structure, update)));
+    let offered = ways.filter(|(structure, update)| structure.can_follow(*update));
+    let mut worlds: Vec<_> = offered
+        .map(|(structure, update)| (structure.name, update, structure.build(&scene, &config)))
+        .collect();
+    let names: Vec<_> = worlds.iter().map(|(name, ..)| *name).collect();
+    assert_eq!(names, ["none", "bvh", "bvh", "bvh", "bvh8", "bvh8", "bvh8"]);
     let mut compared = 0;
     for frame in 1..5 {
         let next = random_frame(seed, scale, numbers.clone(), frame);
         let change = SceneChange::between(&scene, &next).expect("it is the same scene");
         assert!(numbers.len() == 1 || change.moved_objects() > 0);
-        for (name, world) in &mut worlds {
-            assert!(world.refit(&change), "{name}, frame {frame}");
+        for (name, update, world) in &mut worlds {
+            assert!(world.refit(&change, *update), "{name}, {update:?}, frame {frame}");
         }
         let none = STRUCTURES[0].build(&next, &config);
         let rays = rays_into(&next, seed + frame, for_this_isa(600));
         let expected = trace(none.as_ref(), &rays);
-        for (name, world) in &worlds {
-            let what = format!("scene {seed} times {scale:e}, frame {frame}: {name}");
+        for (name, update, world) in &worlds {
+            let what = format!("scene {seed} times {scale:e}, frame {frame}: {name}, {update:?}");
             assert_equal(&what, world.as_ref(), &rays, &expected);
         }
         compared += rays.len();

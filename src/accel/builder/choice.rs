@@ -27,24 +27,23 @@ impl Builder {
 }
 
 impl TreeChoice {
-    /// What the options say, by that of the builder, with another where none is given. So many primitives are tested at
-    /// once: where they are tested one by one, as objects are, none is copied, since an object may be large and move by
-    /// itself.
+    /// What the options say, by that of the builder, with another where none is given. `cuts` says whether several
+    /// leaves may refer to a primitive.
     pub(in super::super) fn of(
         config: &BuildConfig,
-        grain: u32,
+        cuts: bool,
         option: &OptionInfo,
         default: Builder,
     ) -> Self {
         let builder = Builder::chosen(&config.options, option).unwrap_or(default);
-        let usual = Self::new(builder, config.quality, grain);
+        let usual = Self::new(builder, config.quality, cuts);
         let percent = config.options.number(&Builder::REINSERTION);
         let chosen = percent.map(|percent| percent as f32 / 100.0);
         Self { reinserted: chosen.unwrap_or(usual.reinserted), ..usual }
     }
 
     /// A builder, with as much reinsertion as the quality says.
-    pub(super) fn new(builder: Builder, quality: Quality, grain: u32) -> Self {
+    pub(super) fn new(builder: Builder, quality: Quality, cuts: bool) -> Self {
         let reinserted = match (builder, quality) {
             // The tree of bins is as good without, and the others are what they are called as long as no
             // more than a usual build is wanted.
@@ -53,7 +52,7 @@ impl TreeChoice {
             }
             _ => 0.0,
         };
-        Self { builder, quality, reinserted, cuts: grain > 1 }
+        Self { builder, quality, reinserted, cuts }
     }
 
     /// Builds a tree over at least one primitive, for leaves in which `pack` primitives, a power of two,
@@ -87,7 +86,7 @@ mod tests {
         let of = |text: &str, quality| {
             let options = BuildOptions::of::<Bvh8>(text).unwrap();
             let config = BuildConfig { options, quality, ..BuildConfig::default() };
-            TreeChoice::of(&config, 1, &option, Builder::Sah)
+            TreeChoice::of(&config, false, &option, Builder::Sah)
         };
         let share = |text: &str, quality| of(text, quality).reinserted;
         assert_eq!(share("leaf=8", Quality::Medium), 0.0);

@@ -36,6 +36,7 @@ use glam::Vec3A;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
+use rayon::prelude::*;
 
 use crate::math::Aabb;
 
@@ -137,8 +138,21 @@ impl Builder {
     }
 }
 
+/// Whether boxes may be cut, of primitives that are tested so many at once: where they are tested one by one, as
+/// objects are, none is copied, since an object may be large and move by itself.
+pub(super) fn cuts(grain: u32) -> bool {
+    grain > 1
+}
+
 /// Boxes of nothing else.
 pub(super) struct Boxes(pub(super) Vec<Aabb>);
+
+impl Boxes {
+    /// Those of some primitives.
+    pub(super) fn of(primitives: &impl Bounded, some: &[u32]) -> Self {
+        Self(some.par_iter().map(|&index| primitives.bounds(index)).collect())
+    }
+}
 
 impl Bounded for Boxes {
     fn count(&self) -> u32 {
@@ -173,7 +187,7 @@ mod tests {
 
     fn tree(builder: Builder, boxes: &[Aabb], [pack, most]: [u32; 2], quality: Quality) -> Bvh2 {
         let boxes = Boxes(boxes.to_vec());
-        let choice = TreeChoice::new(builder, quality, 1);
+        let choice = TreeChoice::new(builder, quality, false);
         choice.tree(&boxes, pack, most, &mut BuildStages::default())
     }
 

@@ -2,6 +2,7 @@
 
 use std::io;
 
+use crate::accel::refit::Memory;
 use crate::accel::save::{Nodes, box_of, is_plainly_sound, words_of};
 use crate::accel::{Bounded, Decoder, Encoder, LoadError, Portable, Slots};
 
@@ -32,7 +33,7 @@ impl Portable for Bvh {
             let root = (root.count > 0).then_some(root);
             return match root.is_none() && primitives.count() > 0 {
                 true => Err(LoadError::invalid("there are primitives, and no nodes")),
-                false => Ok(Self { nodes: Vec::new(), root, paths: None }),
+                false => Ok(Self { nodes: Vec::new(), root, memory: Memory::default() }),
             };
         }
         let nodes = input.list(count, "nodes", of_words)?;
@@ -46,7 +47,7 @@ impl Portable for Bvh {
             }
         }
         family.finish()?;
-        Ok(Self { nodes, root: Some(Child { first: 0, count: 0 }), paths: None })
+        Ok(Self { nodes, root: Some(Child { first: 0, count: 0 }), memory: Memory::default() })
     }
 
     fn is_plainly_sound(&self, primitives: &impl Bounded, order: &[u32]) -> bool {

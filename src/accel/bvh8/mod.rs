@@ -42,15 +42,15 @@ use crate::counters::Counters;
 use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, Ray};
 
-use self::collapse::collapse;
+use self::collapse::{Wide, collapse};
 use self::node::{Child, FAR, Node, WIDTH, near_planes, order_shift};
 use self::plan::{Leaves, Plan};
 use self::slab_ray::Sides;
-use super::builder::{Builder, TreeChoice};
-use super::refit::Paths;
+use super::builder::{Builder, TreeChoice, cuts};
+use super::refit::Memory;
 use super::{
-    Accel, Bounded, Build, Built, Moved, OptionInfo, Order, PACK, Packs, Primitives, Query,
-    Scratch, Search, Tree, search_one,
+    Accel, Bounded, Build, BuildConfig, Built, Followed, Moved, OptionInfo, Order, PACK, Packs,
+    Primitives, Query, Scratch, Search, Tree, Update, search_one,
 };
 
 /// The stack lives with the call up to this height, and on the heap beyond.
@@ -69,8 +69,8 @@ pub struct Bvh8 {
     block: usize,
     /// The most entries that a stack holds at once, whatever the order of the children.
     need: usize,
-    /// The way up, once few primitives among many have moved.
-    paths: Option<Paths>,
+    /// What was needed to follow primitives that move.
+    memory: Memory,
 }
 
 const BUILDER: OptionInfo = Builder::option("sah");
@@ -82,26 +82,20 @@ impl Accel for Bvh8 {
 
     const OPTIONS: &'static [OptionInfo] = &[BUILDER, Builder::REINSERTION, LEAF];
 
-    const REFITS: bool = true;
+    const UPDATES: &'static [Update] = &Update::ALL;
 
     fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
-        let Build { config, grain, stages } = build;
-        let leaves = Leaves {
-            most: config.options.number(&LEAF).unwrap_or(config.max_leaf).clamp(1, WIDTH as u32),
-            block: if *grain > 1 { PACK } else { 1 },
-        };
+        let leaves = Leaves::of(build.config, build.grain);
         if primitives.count() == 0 {
-            let accel = Self { nodes: Vec::new(), block: leaves.block, need: 0, paths: None };
+            let memory = Memory::default();
+            let accel = Self { nodes: Vec::new(), block: leaves.block, need: 0, memory };
             return Built { accel, order: None };
         }
-        let choice = TreeChoice::of(config, *grain, &BUILDER, Builder::Sah);
-        let pack = leaves.block as u32;
-        let tree = choice.tree(primitives, pack, leaves.most, stages);
-        let plan = stages.time("plan", || Plan::new(&tree, leaves));
-        let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
+        let (wide, references) = wide_tree(primitives, leaves, build, cuts(build.grain));
         let need = stack_need(&wide.nodes);
-        let accel = Self { nodes: wide.nodes, block: leaves.block, need, paths: None };
-        let order = Order::of(wide.order, tree.primitive_indices.len(), primitives.count());
+        let memory = Memory::default();
+        let accel = Self { nodes: wide.nodes, block: leaves.block, need, memory };
+        let order = Order::of(wide.order, references, primitives.count());
         Built { accel, order: Some(order) }
     }
 
@@ -166,13 +160,19 @@ impl Accel for Bvh8 {
         }
     }
 
-    fn refit<P: Primitives>(&mut self, primitives: &P, moved: Moved<'_>) -> Aabb {
-        refit::refit(self, primitives, moved)
+    fn refit<P: Primitives>(
+        &mut self,
+        update: Update,
+        primitives: &P,
+        moved: Moved<'_>,
+        build: &Build<'_>,
+    ) -> Followed {
+        refit::refit(self, update, primitives, moved, build)
     }
 
     fn bytes(&self) -> u64 {
-        let paths = self.paths.as_ref().map_or(0, Paths::bytes);
-        (size_of::<Self>() + self.nodes.capacity() * size_of::<Node>() + paths) as u64
+        let nodes = self.nodes.capacity() * size_of::<Node>();
+        (size_of::<Self>() + nodes + self.memory.bytes()) as u64
     }
 
     fn tree(&self) -> Option<Tree> {
@@ -188,6 +188,31 @@ impl Accel for Bvh8 {
             (bounds, 0..0)
         }))
     }
+}
+
+impl Leaves {
+    /// What the options say, of primitives that are tested so many at once.
+    fn of(config: &BuildConfig, grain: u32) -> Self {
+        Self {
+            most: config.options.number(&LEAF).unwrap_or(config.max_leaf).clamp(1, WIDTH as u32),
+            block: if grain > 1 { PACK } else { 1 },
+        }
+    }
+}
+
+/// Builds the tree over at least one primitive.
+fn wide_tree(
+    primitives: &impl Bounded,
+    leaves: Leaves,
+    build: &mut Build<'_>,
+    cuts: bool,
+) -> (Wide, usize) {
+    let Build { config, stages, .. } = build;
+    let choice = TreeChoice::of(config, cuts, &BUILDER, Builder::Sah);
+    let tree = choice.tree(primitives, leaves.block as u32, leaves.most, stages);
+    let plan = stages.time("plan", || Plan::new(&tree, leaves));
+    let wide = stages.time("collapse", || collapse(&tree, &plan, leaves));
+    (wide, tree.primitive_indices.len())
 }
 
 /// The most entries that a subtree can put on a stack: all of a node's children, or all but one

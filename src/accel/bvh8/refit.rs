@@ -1,20 +1,39 @@
-//! The boxes of the tree of eight children follow its primitives, in lanes.
+//! The tree of eight children follows primitives that move; its boxes in lanes.
 
 use std::ops::Range;
 
-use crate::accel::refit::{Below, Fit, FitNode, Moved, fit_inner, fit_leaves};
-use crate::accel::{Packs, Primitives};
+use crate::accel::builder::Boxes;
+use crate::accel::refit::{
+    Below, FitNode, Grown, Leader, fit_leaves_one_by_one, follow, sort_by_id,
+};
+use crate::accel::{Build, BuildConfig, BuildStages, Followed, Moved, Packs, Primitives, Update};
 use crate::math::{Aabb, Lanes as _};
 use crate::simd::{Kernel, Row as _, Simd, dispatch};
 
-use super::Bvh8;
+use super::collapse::Wide;
 use super::node::{Child, FAR, Node, WIDTH, near_planes};
+use super::plan::Leaves;
+use super::{Bvh8, stack_need, wide_tree};
 
 impl FitNode for Node {
     const WIDTH: usize = WIDTH;
 
+    type Child = Child;
+
+    fn inner(index: usize) -> Child {
+        Child::node(index)
+    }
+
+    fn leaf(slots: Range<u32>, block: usize) -> Child {
+        Child::leaf(slots.start as usize / block, slots.len())
+    }
+
+    fn child(&self, lane: usize) -> Child {
+        Child(self.children()[lane])
+    }
+
     fn below(&self, lane: usize, block: usize) -> Option<Below> {
-        let child = Child(self.children()[lane]);
+        let child = self.child(lane);
         if child == Child::ABSENT {
             return None;
         }
@@ -30,8 +49,8 @@ impl FitNode for Node {
         Self::child_bounds(self, lane)
     }
 
-    fn fit(&mut self, lane: usize, bounds: &Aabb) {
-        self.set(lane, Child(self.children()[lane]), bounds);
+    fn put(&mut self, lane: usize, child: Child, bounds: &Aabb) {
+        self.set(lane, child, bounds);
     }
 
     fn settle(&mut self) {
@@ -43,24 +62,74 @@ impl FitNode for Node {
     }
 }
 
-/// Lets the boxes follow the primitives, and returns the box around all.
-pub(super) fn refit<P: Primitives>(tree: &mut Bvh8, primitives: &P, moved: Moved<'_>) -> Aabb {
-    let Bvh8 { nodes, block, paths, .. } = tree;
+/// Lets the tree follow.
+pub(super) fn refit<P: Primitives>(
+    tree: &mut Bvh8,
+    update: Update,
+    primitives: &P,
+    moved: Moved<'_>,
+    build: &Build<'_>,
+) -> Followed {
+    let Bvh8 { nodes, memory, .. } = tree;
     if nodes.is_empty() {
-        return Aabb::EMPTY;
+        return Followed::in_place(Aabb::EMPTY);
     }
-    let block = *block;
-    let bounds_of = |slots: Range<u32>| {
-        slots.map(|slot| primitives.bounds(slot)).fold(Aabb::EMPTY, Aabb::union)
-    };
-    let fit = Fit { nodes, block, paths };
-    if const { <P::Packs as Packs>::GRAIN > 1 } {
-        let packs = primitives.packs();
-        let of_leaves = |nodes: &mut [Node]| dispatch(FitLeaves { nodes, packs });
-        fit.follow(moved, bounds_of, of_leaves, |nodes| dispatch(FitInner { nodes }))
-    } else {
-        let of_leaves = |nodes: &mut [Node]| fit_leaves(nodes, block, bounds_of);
-        fit.follow(moved, bounds_of, of_leaves, |nodes| fit_inner(nodes, block))
+    let leaves = Leaves::of(build.config, build.grain);
+    let leader = Leading { primitives, config: build.config, grain: build.grain, leaves };
+    let followed = follow(update, moved, (nodes, memory), &leader);
+    if update != Update::Refit {
+        tree.need = stack_need(&tree.nodes);
+    }
+    followed
+}
+
+/// Primitives, and how the tree over them was built.
+struct Leading<'a, P> {
+    primitives: &'a P,
+    config: &'a BuildConfig,
+    grain: u32,
+    leaves: Leaves,
+}
+
+impl<P: Primitives> Leading<'_, P> {
+    const PACKED: bool = <P::Packs as Packs>::GRAIN > 1;
+}
+
+impl<P: Primitives> Leader<Node> for Leading<'_, P> {
+    fn block(&self) -> usize {
+        self.leaves.block
+    }
+
+    fn grain(&self) -> usize {
+        self.leaves.block
+    }
+
+    fn bounds(&self, slots: Range<u32>) -> Aabb {
+        slots.map(|slot| self.primitives.bounds(slot)).fold(Aabb::EMPTY, Aabb::union)
+    }
+
+    fn sort(&self, slots: &mut [u32]) {
+        sort_by_id(self.primitives, slots);
+    }
+
+    fn grow(&self, slots: &[u32]) -> Grown<Node> {
+        let stages = &mut BuildStages::default();
+        let mut build = Build { config: self.config, grain: self.grain, stages };
+        let boxes = Boxes::of(self.primitives, slots);
+        let (Wide { nodes, order }, _) = wide_tree(&boxes, self.leaves, &mut build, false);
+        Grown { nodes, order }
+    }
+
+    fn fit_leaves(&self, nodes: &mut [Node]) {
+        if const { Self::PACKED } {
+            dispatch(FitLeaves { nodes, packs: self.primitives.packs() });
+        } else {
+            fit_leaves_one_by_one(self, nodes);
+        }
+    }
+
+    fn fit_inner(&self, nodes: &mut [Node]) {
+        dispatch(FitInner { nodes });
     }
 }
 

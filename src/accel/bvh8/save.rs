@@ -7,6 +7,7 @@ use std::io;
 
 use rayon::prelude::*;
 
+use crate::accel::refit::Memory;
 use crate::accel::save::{Nodes, is_plainly_sound};
 use crate::accel::{Bounded, Decoder, Encoder, LoadError, PACK, Portable, Slots};
 use crate::math::NONE;
@@ -46,7 +47,7 @@ impl Portable for Bvh8 {
         }
         family.finish()?;
         let need = stack_need(&nodes);
-        Ok(Self { nodes, block, need, paths: None })
+        Ok(Self { nodes, block, need, memory: Memory::default() })
     }
 
     fn is_plainly_sound(&self, primitives: &impl Bounded, order: &[u32]) -> bool {
@@ -63,8 +64,9 @@ fn fault(node: &Node, index: usize, order: &[u32], block: usize) -> Option<Strin
     }
     node.present().find_map(|(_, child)| {
         let (first, count) = (child.block() * block, child.count() as usize);
-        // The primitives of a leaf stand in ascending order: see `Layout::leaf` in `collapse.rs`.
-        let is_leaf_of = |slots: &[u32]| slots.is_sorted() && slots.last() != Some(&NONE);
+        // The primitives of a pack stand in ascending order: see `Layout::leaf` in `collapse.rs`.
+        let is_leaf_of =
+            |slots: &[u32]| (block == 1 || slots.is_sorted()) && !slots.contains(&NONE);
         let is_right = match child.is_leaf() {
             true => order.get(first..first + count).is_some_and(is_leaf_of) && count <= WIDTH,
             false => child.index() < Child::LIMIT,

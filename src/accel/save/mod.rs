@@ -122,7 +122,7 @@ impl<P: PortablePrimitives, A: Portable> Indexed<P, A> {
     }
 
     /// Reads what [`save`](Self::save) has written, and nothing behind it. The build time of what
-    /// is loaded is 0.
+    /// is loaded is 0. Where it follows primitives, parts that are rebuilt are built as by default.
     ///
     /// The bytes are checked, so they need not be trusted: what is loaded returns the hits of its
     /// primitives, as if it had been built over them. Some are read in small pieces: give a file as a

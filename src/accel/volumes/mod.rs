@@ -91,7 +91,7 @@ impl<V: Volume> Accel for VolumeTree<V> {
             return Built { accel: Self { nodes: Vec::new(), root: None }, order: None };
         }
         let most = config.options.number(&LEAF).unwrap_or(config.max_leaf.min(4)).max(1);
-        let choice = TreeChoice::of(config, *grain, &BUILDER, Builder::Sah);
+        let choice = TreeChoice::of(config, false, &BUILDER, Builder::Sah);
         let mut tree = choice.tree(primitives, *grain, 1, stages);
         let cost = config.quality.parameters().collapse_traversal_cost;
         stages.time("collapse", || collapse(&mut tree, most, cost));

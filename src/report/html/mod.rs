@@ -1,36 +1,28 @@
 //! Record → one self-contained HTML file.
 //!
-//! It has no font and no external link: pictures are embedded, plots are inline SVG, and its content security policy
-//! forbids loading anything, and running any script but the one that sorts tables. The page is complete without that.
+//! Pictures are embedded, and plots are inline SVG. Its only script sorts tables, and the page is complete without it.
 //! Its style is for light and dark screens, phones and paper.
 
 mod contents;
 mod pictures;
 mod scene;
-mod table;
+pub(super) mod table;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
-use sha2::{Digest, Sha256};
+use maud::{Markup, html};
 
 use super::limits::{limits, weaknesses};
 use super::plot::{self, Looks};
 use super::sampling_verdict::sampling_verdict;
 use super::verdict::headline;
 use super::{Pictures, Report, figures, tables};
+use crate::page::{self, Parts};
+use crate::record::Comparison;
 use table::{bare, table};
 
-const STYLE: &str = include_str!("style.css");
-const SCRIPT: &str = include_str!("sort.js");
-
-/// What the page may load: nothing; and run: the script whose hash this is.
-fn policy() -> String {
-    let hash = STANDARD.encode(Sha256::digest(SCRIPT));
-    format!(
-        "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-{hash}'"
-    )
-}
+/// The sheet of all reports.
+pub(super) const STYLE: &str = include_str!("style.css");
+/// Sorts tables.
+pub(super) const SCRIPT: &str = include_str!("sort.js");
 
 /// The input of every part of the page.
 struct Page<'a> {
@@ -42,47 +34,38 @@ struct Page<'a> {
 /// Writes the page: see [`Report::html`].
 pub(super) fn write(report: &Report<'_>, pictures: &Pictures) -> String {
     let page = Page { report, pictures, looks: report.looks() };
-    document(&page).into_string()
+    document(&page)
 }
 
-fn document(page: &Page<'_>) -> Markup {
-    let names: Vec<&str> =
-        page.report.comparison.scenes.iter().map(|scene| scene.name.as_str()).collect();
+fn document(page: &Page<'_>) -> String {
+    let Comparison { run, scenes, .. } = page.report.comparison;
+    let names: Vec<&str> = scenes.iter().map(|scene| scene.name.as_str()).collect();
+    let title = format!("srt compares {}", names.join(", "));
+    let parts =
+        Parts::Within { version: &run.version, styles: &[plot::STYLE, STYLE], script: SCRIPT };
+    page::Page { title: &title, parts }.with(body(page))
+}
+
+fn body(page: &Page<'_>) -> Markup {
     html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                meta http-equiv="Content-Security-Policy" content=(policy());
-                meta name="generator" content=(format!("srt {}", page.report.comparison.run.version));
-                link rel="icon" href="data:,";
-                title { "srt compares " (names.join(", ")) }
-                style { (PreEscaped(plot::STYLE)) (PreEscaped(STYLE)) }
+        header { (head(page)) }
+        (contents::contents(page))
+        main {
+            (conformance(page))
+            (overall(page))
+            (baseline(page))
+            (proof(page))
+            (run(page))
+            @for (scene, figures) in page.report.comparison.scenes.iter().zip(&page.report.analysis.scenes) {
+                (scene::section(page, scene, figures))
             }
-            body {
-                header { (head(page)) }
-                (contents::contents(page))
-                main {
-                    (conformance(page))
-                    (overall(page))
-                    (baseline(page))
-                    (proof(page))
-                    (run(page))
-                    @for (scene, figures) in page.report.comparison.scenes.iter().zip(&page.report.analysis.scenes) {
-                        (scene::section(page, scene, figures))
-                    }
-                    (growth(page))
-                    (sampling(page))
-                    (bias(page))
-                }
-                footer {
-                    "Made by srt " (page.report.comparison.run.version) " from a record of schema version "
-                    (page.report.comparison.schema_version) ". The JSON, CSV and Markdown files beside this page have the same numbers."
-                }
-                script { (PreEscaped(SCRIPT)) }
-            }
+            (growth(page))
+            (sampling(page))
+            (bias(page))
+        }
+        footer {
+            "Made by srt " (page.report.comparison.run.version) " from a record of schema version "
+            (page.report.comparison.schema_version) ". The JSON, CSV and Markdown files beside this page have the same numbers."
         }
     }
 }
@@ -244,7 +227,7 @@ fn sentence(rest: &str) -> String {
 }
 
 /// A sentence in which names stand between backticks.
-fn prose(text: &str) -> Markup {
+pub(super) fn prose(text: &str) -> Markup {
     html! {
         @for (i, part) in text.split('`').enumerate() {
             @if i % 2 == 1 { code { (part) } } @else { (part) }

@@ -1,11 +1,10 @@
 //! The picture and the heatmaps of a scene, on one scale with a colour bar.
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use colorous::INFERNO;
 use maud::{Markup, html};
 
 use super::Page;
+use crate::page;
 use crate::record::{HeatScale, PictureFile, SceneRecord, Spacing};
 use crate::report::Pictures;
 use crate::report::numbers::{self, COUNT};
@@ -37,8 +36,7 @@ fn figure(pictures: &Pictures, picture: &PictureFile, caption: &str, meaning: &s
     html! {
         figure {
             @if let Some(bytes) = pictures.get(&picture.file) {
-                img src=(format!("data:image/png;base64,{}", STANDARD.encode(bytes)))
-                    width=(picture.width) height=(picture.height) alt=(meaning);
+                (page::picture(bytes, [picture.width, picture.height], meaning))
             } @else {
                 p class="missing" { "The file " code { (picture.file) } " is missing." }
             }

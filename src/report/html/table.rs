@@ -19,7 +19,7 @@ pub(super) fn table(table: &Table) -> Markup {
 }
 
 /// The table without its heading.
-pub(super) fn bare(table: &Table) -> Markup {
+pub(in crate::report) fn bare(table: &Table) -> Markup {
     let groups: Vec<&str> =
         table.rows.iter().filter_map(|row| Some(row.first()?.text.as_str())).collect();
     let repeats = |i: usize| i > 0 && groups.get(i) == groups.get(i - 1);

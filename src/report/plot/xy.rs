@@ -1,8 +1,8 @@
-//! Points and lines on two logarithmic axes, with the name of each series beside its end.
+//! Points and lines on two axes, with the name of each series beside its end.
 
 use maud::{Markup, html};
 
-use super::axis::{Axis, tick_label};
+use super::axis::{Axis, AxisKind, tick_label};
 use super::{
     Drawing, Form, LEAST_AREA, Look, NARROW, Plot, WIDTH, at, marker, marker_with_value, text_width,
 };
@@ -27,6 +27,29 @@ pub(in crate::report) struct Ends {
     pub(in crate::report) label: &'static str,
     /// Units of the numbers at it; empty for plain numbers.
     pub(in crate::report) units: &'static [Unit],
+    /// How it is divided.
+    pub(in crate::report) kind: AxisKind,
+}
+
+impl Ends {
+    /// Of an axis of equal factors.
+    pub(in crate::report) fn logarithmic(label: &'static str, units: &'static [Unit]) -> Self {
+        Self { label, units, kind: AxisKind::Logarithmic }
+    }
+
+    /// An axis over some numbers.
+    fn around(&self, values: impl Iterator<Item = f64>, places: (f64, f64)) -> Option<Axis> {
+        match self.kind {
+            AxisKind::Logarithmic => Axis::around(values, places),
+            AxisKind::Linear => {
+                let finite = values.filter(|value| value.is_finite());
+                let range = finite.fold(None, |range: Option<(f64, f64)>, value| {
+                    Some(range.map_or((value, value), |(a, b)| (a.min(value), b.max(value))))
+                })?;
+                Some(Axis::new(AxisKind::Linear, range, places))
+            }
+        }
+    }
 }
 
 /// A structure's points and line.
@@ -45,7 +68,7 @@ pub(in crate::report) struct XySeries {
     pub(in crate::report) fit: bool,
 }
 
-/// A plot on two logarithmic axes.
+/// A plot on two axes.
 pub(in crate::report) struct XyPlot {
     /// The heading.
     pub(in crate::report) title: String,
@@ -66,7 +89,7 @@ pub(in crate::report) struct XyPlot {
 }
 
 impl XyPlot {
-    /// Draws it; `None` if there is nothing with positive coordinates.
+    /// Draws it; `None` if there is nothing that its axes can show.
     pub(in crate::report) fn draw(&self) -> Option<Plot> {
         Plot::of(&self.title, &self.meaning, |form| self.draw_in(form))
     }
@@ -82,10 +105,10 @@ impl XyPlot {
             Form::Narrow => (NARROW_LEFT, NARROW - 8.0, NARROW_HEIGHT),
         };
         let bottom = TOP + height;
-        let x = Axis::around(all().map(|p| p.0), (left, right))?;
+        let x = self.x.around(all().map(|p| p.0), (left, right))?;
         let intervals = self.series.iter().flat_map(|s| s.intervals.iter().flatten());
         let heights = all().map(|p| p.1).chain(intervals.flat_map(|i| [i.0, i.1]));
-        let y = Axis::around(heights, (bottom, TOP))?;
+        let y = self.y.around(heights, (bottom, TOP))?;
         // The key of the rings is below the axis, in the narrow form above the names.
         let key = if self.rings.is_empty() { 0.0 } else { NAME };
         let below = bottom + BOTTOM + key;

@@ -2,9 +2,10 @@
 (() => {
   const controls = document.querySelector(".controls");
   const slides = [...document.querySelectorAll(".slides figure")];
+  if (!controls || slides.length < 2) return;
   const range = controls.querySelector("input");
   const all = controls.querySelector("[data-all]");
-  if (slides.length < 2) return;
+  const play = controls.querySelector("[data-play]");
   const show = (place) => {
     range.value = Math.min(Math.max(place, 0), slides.length - 1);
     slides.forEach((slide, i) => slide.classList.toggle("current", i === Number(range.value)));
@@ -15,19 +16,40 @@
     all.setAttribute("aria-pressed", String(whether));
     range.disabled = whether;
   };
-  range.addEventListener("input", () => show(Number(range.value)));
+  let timer;
+  const stop = () => {
+    clearInterval(timer);
+    timer = undefined;
+    play?.setAttribute("aria-pressed", "false");
+  };
+  range.addEventListener("input", () => {
+    stop();
+    show(Number(range.value));
+  });
   for (const button of controls.querySelectorAll("[data-step]")) {
     button.addEventListener("click", () => {
+      stop();
       showAll(false);
       show(Number(range.value) + Number(button.dataset.step));
     });
   }
-  all.addEventListener("click", () => showAll(all.getAttribute("aria-pressed") !== "true"));
+  all.addEventListener("click", () => {
+    stop();
+    showAll(all.getAttribute("aria-pressed") !== "true");
+  });
+  play?.addEventListener("click", () => {
+    if (timer) return stop();
+    showAll(false);
+    play.setAttribute("aria-pressed", "true");
+    // Behind the last comes the first.
+    timer = setInterval(() => show((Number(range.value) + 1) % slides.length), Number(play.dataset.play));
+  });
   document.addEventListener("keydown", (event) => {
     if (event.target === range || event.altKey || event.ctrlKey || event.metaKey) return;
     const step = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 }[event.key];
     if (!step || !document.body.classList.contains("one")) return;
     event.preventDefault();
+    stop();
     show(Number(range.value) + step);
   });
   controls.hidden = false;
