@@ -4,8 +4,8 @@
 
 use glam::{Vec3, Vec3Swizzles};
 use srt::accel::{
-    Accel, Bounded, BuildConfig, Bvh, Bvh8, ClosestHit, Exhaustive, Indexed, Moved, Portable,
-    PortablePrimitives, Primitives, Tree, Update,
+    Accel, Bounded, BuildConfig, BuildOptions, Bvh, Bvh8, ClosestHit, Exhaustive, Indexed, Moved,
+    Portable, PortablePrimitives, Primitives, Tree, Update,
 };
 use srt::math::{Aabb, Hit, Random, Ray};
 use srt::shapes::{MeshError, TriangleSet};
@@ -264,4 +264,45 @@ fn what_cannot_be_traced_is_refused() {
     assert!(matches!(refused(&positions, &triangles), MeshError::NotFinite { triangle: 1, .. }));
     positions[4].y = 1e30;
     assert!(matches!(refused(&positions, &triangles), MeshError::OutOfRange { .. }));
+}
+
+/// A tree whose leaves share triangles follows too: each copy is moved, and has its whole box.
+fn copies_follow<A: Portable + Clone>() {
+    let rays = rays();
+    let mut random = Random::new(&[77]);
+    let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32()));
+    // Long triangles along all axes, so that boxes are cut.
+    let mut positions: Vec<Vec3> = Vec::new();
+    for i in 0..1_500 {
+        let (at, mut along) = (point(), 0.02 * point());
+        along[i % 3] = 0.4;
+        positions.extend([at, at + along, at + along + 0.02 * point()]);
+    }
+    let triangles: Vec<[u32; 3]> = (0..1_500).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let config = BuildConfig {
+        options: BuildOptions::of::<A>("builder=sbvh").unwrap(),
+        ..BuildConfig::default()
+    };
+    let set = TriangleSet::new(&positions, &triangles);
+    let mut index: Indexed<TriangleSet, A> = Indexed::build(set, &config);
+    let slots = |index: &Indexed<TriangleSet, A>| index.tree().unwrap().slots().count();
+    assert!(slots(&index) > 1_550, "{} slots", slots(&index));
+    for frame in 1..9 {
+        move_some(&mut positions, frame);
+        let mesh = (&positions[..], &triangles[..]);
+        refit(&mut index, Update::ALL[frame % 3], Moved::All, mesh);
+        let set = TriangleSet::new(&positions, &triangles);
+        assert_eq!(index.primitives().padding(), set.padding());
+        assert_tight(&index.tree().unwrap(), index.primitives());
+        let none: Indexed<_, Exhaustive> = Indexed::build(set, &BuildConfig::default());
+        let (got, expected) = (hits(&index, &rays), hits(&none, &rays));
+        let differs = |(got, expected): (&Hit, &Hit)| !got.same_bits(expected);
+        assert_eq!(got.iter().zip(&expected).position(differs), None, "frame {frame}");
+    }
+}
+
+#[test]
+fn trees_whose_leaves_share_triangles_follow() {
+    copies_follow::<Bvh>();
+    copies_follow::<Bvh8>();
 }

@@ -56,7 +56,7 @@ impl Update {
 pub enum Moved<'a> {
     /// Any of them.
     All,
-    /// Those in some slots, in any order.
+    /// Those in some slots, in any order: all slots of each, where leaves share primitives.
     Slots(&'a [u32]),
 }
 
