@@ -9,7 +9,7 @@ use super::compare_progress::CompareProgress;
 use super::exit::{CommandResult, Exit, Failure};
 use super::fingerprint;
 use super::interrupt::Interrupt;
-use super::load::{Described, load, print_load_error};
+use super::load::{Described, SceneFile, print_load_error};
 use super::mesh_scene::NamedMesh;
 use super::output::print;
 use super::ray_files::{self, RayFolder};
@@ -19,6 +19,7 @@ use crate::analysis::baseline;
 use crate::compare::{self, ComparisonResult, SceneInput};
 use crate::record::{Baseline, Comparison, Dropped};
 use crate::report::Report;
+use crate::sealed::hexadecimal;
 
 /// Compares, writes the report and prints its table.
 pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> CommandResult {
@@ -123,8 +124,10 @@ fn differences(comparison: &Comparison) -> Vec<String> {
 fn load_all(arguments: &CompareArguments) -> Result<Option<Vec<SceneInput>>, Failure> {
     let mut scenes: Vec<SceneInput> = Vec::new();
     for path in &arguments.scenes {
-        let Described { loaded, description, .. } = match load(path, arguments.lenient) {
-            Ok(described) => described,
+        let read = SceneFile::read(path, arguments.lenient);
+        let read = read.and_then(|mut file| Ok((file.usual_frame()?, file)));
+        let (Described { loaded, description, .. }, file) = match read {
+            Ok(read) => read,
             Err(error) => {
                 print_load_error(&error);
                 return Ok(None);
@@ -133,12 +136,12 @@ fn load_all(arguments: &CompareArguments) -> Result<Option<Vec<SceneInput>>, Fai
         if !arguments.quiet && !loaded.warnings.is_empty() {
             print_message(&loaded.warnings);
         }
-        let hash = fingerprint::of_scene(path, &description).map_err(|error| {
+        let hash = fingerprint::of_source(file.source(), &description).map_err(|error| {
             Failure::new(format_args!("cannot read `{}` again: {error}", path.display()))
         })?;
         let name = new_name(&stem(path), &scenes);
         let path = path.display().to_string();
-        scenes.push(SceneInput { name, path, hash, scene: loaded.scene });
+        scenes.push(SceneInput { name, path, hash: hexadecimal(&hash), scene: loaded.scene });
     }
     Ok(Some(scenes))
 }

@@ -1,24 +1,16 @@
 //! The fingerprint of a scene's files, by which reports distinguish scenes.
 
 use std::io;
-use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
-use super::source::{self, Source};
-use crate::assets::MeshLoader;
+use super::source::Source;
 use crate::assets::generate::Recipe;
 use crate::description::SceneDescription;
-use crate::sealed::{Hash, hexadecimal};
+use crate::sealed::Hash;
 
-/// SHA-256 of a scene's file and of all mesh files that it names, in its order; hexadecimal. Those of a pack and of a
-/// built scene are the same as that of what they were made from.
-pub(super) fn of_scene(path: &Path, description: &SceneDescription) -> io::Result<String> {
-    let source = source::read(path, &mut MeshLoader::default()).map_err(io::Error::other)?;
-    of_source(&source, description).map(|hash| hexadecimal(&hash))
-}
-
-/// The same, of what was read already. A built scene has it written down.
+/// SHA-256 of a scene's file and of all mesh files that it names, in its order. That of a pack is the same as that of
+/// what it was made from; a built scene has it written down.
 pub(super) fn of_source(source: &Source, description: &SceneDescription) -> io::Result<Hash> {
     if let Some(built) = source.built() {
         return Ok(built.scene.fingerprint);

@@ -134,7 +134,7 @@ impl Spatial {
             let (_, centers) = around(references);
             let (terms, centers) = (self.terms, &centers);
             let (best, _) = dispatch(Splitting { references, centers, terms, scratch });
-            let plane = (budget > 0 && self.overlap(&best.halves) > self.least_overlap)
+            let plane = (budget > 0 && overlap(&best.halves) > self.least_overlap)
                 .then(|| Plane::best(references, bounds, &self.terms))
                 .flatten()
                 .filter(|plane| plane.cost < best.cost);
@@ -157,13 +157,13 @@ impl Spatial {
         let halves = halves.unwrap_or_else(|| [around(&lists[0]).0, around(&lists[1]).0]);
         Some(parts(lists, halves, budget))
     }
+}
 
-    /// Half the surface of what two boxes have in common.
-    fn overlap(&self, [a, b]: &[Corners; 2]) -> f32 {
-        let common = Corners(std::array::from_fn(|lane| a.0[lane].min(b.0[lane])));
-        let is_there = (0..3).all(|axis| -common.0[axis] <= common.0[4 + axis]);
-        if is_there { common.half_area() } else { 0.0 }
-    }
+/// Half the surface of what two boxes have in common.
+fn overlap([a, b]: &[Corners; 2]) -> f32 {
+    let common = Corners(std::array::from_fn(|lane| a.0[lane].min(b.0[lane])));
+    let is_there = (0..3).map(|axis| common.range(axis)).all(|[low, high]| low <= high);
+    if is_there { common.half_area() } else { 0.0 }
 }
 
 /// Both halves, with a budget shared by their numbers of references.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::accel::builder::Boxes;
-use crate::accel::refit::{Below, FitNode, Grown, Leader, follow, sort_by_id};
+use crate::accel::refit::{Below, FitNode, Grown, Leader, bounds_of, follow, sort_by_id};
 use crate::accel::{Build, BuildConfig, BuildStages, Followed, Moved, Primitives, Update};
 use crate::math::Aabb;
 
@@ -86,7 +86,7 @@ impl<P: Primitives> Leader<Node> for Leading<'_, P> {
     }
 
     fn bounds(&self, slots: Range<u32>) -> Aabb {
-        slots.map(|slot| self.primitives.bounds(slot)).fold(Aabb::EMPTY, Aabb::union)
+        bounds_of(self.primitives, slots)
     }
 
     fn sort(&self, slots: &mut [u32]) {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::accel::builder::Boxes;
 use crate::accel::refit::{
-    Below, FitNode, Grown, Leader, fit_leaves_one_by_one, follow, sort_by_id,
+    Below, FitNode, Grown, Leader, bounds_of, fit_leaves_one_by_one, follow, sort_by_id,
 };
 use crate::accel::{Build, BuildConfig, BuildStages, Followed, Moved, Packs, Primitives, Update};
 use crate::math::{Aabb, Lanes as _};
@@ -105,7 +105,7 @@ impl<P: Primitives> Leader<Node> for Leading<'_, P> {
     }
 
     fn bounds(&self, slots: Range<u32>) -> Aabb {
-        slots.map(|slot| self.primitives.bounds(slot)).fold(Aabb::EMPTY, Aabb::union)
+        bounds_of(self.primitives, slots)
     }
 
     fn sort(&self, slots: &mut [u32]) {

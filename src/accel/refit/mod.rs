@@ -189,6 +189,11 @@ pub(super) fn fit_leaves_one_by_one<N: FitNode>(
     }
 }
 
+/// The box around the primitives in some slots.
+pub(super) fn bounds_of(primitives: &impl Primitives, slots: Range<u32>) -> Aabb {
+    slots.map(|slot| primitives.bounds(slot)).fold(Aabb::EMPTY, Aabb::union)
+}
+
 /// Brings slots into the order of their primitives' ids, as a build gets them: of equal hits in a pack the first lane
 /// is then the first primitive. Primitives that are not in packs show no ids, and may stand in any order.
 pub(super) fn sort_by_id<P: Primitives>(primitives: &P, slots: &mut [u32]) {
