@@ -1,4 +1,5 @@
-//! Notes what a report must say of the build: compiler, sources, flags. Knows nothing else.
+//! Notes what a report must say of the build: compiler, sources, flags; compiles tinybvh where it is asked for. Knows
+//! nothing else.
 //!
 //! What changes with every commit is left to the running program, or each commit would compile the
 //! crate anew. The library by itself writes no reports, and its build notes nothing.
@@ -7,10 +8,19 @@
 #[path = "src/compare/sources.rs"]
 mod sources;
 
+#[cfg(feature = "tinybvh")]
+#[path = "src/tinybvh/compile.rs"]
+mod tinybvh;
+
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     #[cfg(feature = "program")]
     program::note_build();
+    #[cfg(feature = "tinybvh")]
+    if let Err(error) = tinybvh::compile() {
+        println!("cargo::error={}", error.replace('\n', " "));
+        std::process::exit(1);
+    }
 }
 
 #[cfg(feature = "program")]

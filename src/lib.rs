@@ -43,8 +43,10 @@
 //! * `program`, on by default: the command `srt` and all that it is made of, as described
 //!   [below](#the-program). With `default-features = false`, the crate is the modules above and
 //!   six direct dependencies.
-//! * `embree`: Intel's Embree 3 beside this crate's structures. It traces whole scenes, so it turns
-//!   `program` on; programs need Embree's library to link.
+//! * `embree`: Intel's Embree 3 and 4 beside this crate's structures. They trace whole scenes, so it turns
+//!   `program` on; their libraries are loaded as they are asked for.
+//! * `libraries`: obvhs, parry3d and bvh as they are shipped, beside this crate's structures.
+//! * `tinybvh`: tinybvh beside this crate's structures. A build needs a C++ compiler.
 //!
 //! # The program
 //!
@@ -116,6 +118,8 @@ mod sealed;
 pub mod serve;
 #[cfg(feature = "program")]
 pub mod show;
+#[cfg(feature = "tinybvh")]
+pub mod tinybvh;
 
 #[cfg(any(doc, doctest))]
 #[doc = include_str!("../docs/library.md")]

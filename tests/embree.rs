@@ -159,7 +159,7 @@ fn a_comparison_tells_how_many_rays_agree_and_claims_no_equality() {
         assert!(row.classes.iter().all(|class| class.primitives.is_none()));
     }
     let text = srt::report::Report::new(&outcome.comparison).terminal();
-    assert!(text.contains("a peer: "), "{text}");
+    assert!(text.contains("as shipped: "), "{text}");
 }
 
 #[test]

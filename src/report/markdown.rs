@@ -102,11 +102,11 @@ fn add_scene(scene: &SceneRecord, figures: &SceneFigures, threads: u32, text: &m
             }
         }
     }
-    add_table(&tables::ray_table(figures), text);
-    add_table(&tables::hardware_table(figures), text);
+    add_table(&tables::ray_table(scene, figures), text);
+    add_table(&tables::hardware_table(scene, figures), text);
     add_table(&tables::structure_table(scene, figures), text);
     add_table(&tables::stage_table(scene, threads), text);
-    add_table(&tables::picture_table(figures), text);
+    add_table(&tables::picture_table(scene, figures), text);
 }
 
 fn add_run(comparison: &Comparison, text: &mut String) {

@@ -47,6 +47,9 @@ pub trait ForeignTracer: Send + Sync + Sized {
     /// The options that a build looks for in [`BuildConfig::options`], each of its own name.
     const OPTIONS: &'static [OptionInfo] = &[];
 
+    /// The bytes that a build takes for each triangle, roughly: where there are not as many, none is begun.
+    const BUILD_BYTES: u64 = 40;
+
     /// Builds the index over all objects, which come one after the other: of objects with a
     /// transform, the positions are made as they come. An object may have no triangle, and there may
     /// be no object.

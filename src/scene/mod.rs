@@ -22,6 +22,8 @@ mod range;
 mod saved;
 mod structures;
 mod surface;
+#[cfg(feature = "tinybvh")]
+mod tinybvh;
 mod transforms;
 mod world;
 mod world_regions;

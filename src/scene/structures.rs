@@ -19,6 +19,8 @@ use super::embree::Embree;
 use super::foreign::{ForeignTracer, ForeignWorld};
 #[cfg(feature = "libraries")]
 use super::libraries::{ObvhsBvh2, ObvhsCwBvh, Parry, Svenstaro};
+#[cfg(feature = "tinybvh")]
+use super::tinybvh::TinyBvh;
 use super::{BuildError, ReadError, SaveError, Scene, TracedWorld, World};
 
 /// A structure by name, with the options that were chosen for it.
@@ -131,7 +133,7 @@ impl Structure {
             base_name: name,
             offered: [F::OPTIONS, &[]],
             options: NO_OPTIONS,
-            build_bytes: [PACKED_TRIANGLE, 0],
+            build_bytes: [F::BUILD_BYTES, 0],
             updates: [&[]; 2],
             build: |scene, config| Ok(Box::new(ForeignWorld::<F>::build(scene, config)?)),
             equal: None,
@@ -390,6 +392,12 @@ pub static PEERS: &[Structure] = &[
     Structure::foreign::<Svenstaro>(
         "svenstaro",
         "bvh 0.13 by svenstaro: a peer, for scenes of triangles",
+    ),
+    // The version is that of the header that was compiled.
+    #[cfg(feature = "tinybvh")]
+    Structure::foreign::<TinyBvh>(
+        "tinybvh",
+        concat!(env!("SRT_TINYBVH"), "'s BVH8_CPU, for AVX2: a peer, for scenes of triangles"),
     ),
 ];
 

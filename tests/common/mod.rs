@@ -1,6 +1,9 @@
 //! From scenes to pictures, as the tests need it.
 #![allow(dead_code, reason = "each test uses its part of this")]
 
+#[cfg(any(feature = "libraries", feature = "tinybvh"))]
+pub(crate) mod peers;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -32,14 +32,14 @@ pub(super) fn section(page: &Page<'_>, scene: &SceneRecord, own: &SceneFigures) 
             (pictures::strip(page, scene))
             @if let Some(proof) = &scene.proof { (table(&tables::proof_table(proof))) }
             @if let Some(picture) = &scene.picture { p class="hash" { "Pixels of the reference: SHA-256 " code { (picture.hash) } } }
-            (table(&tables::ray_table(own)))
-            @let hardware = tables::hardware_table(own);
+            (table(&tables::ray_table(scene, own)))
+            @let hardware = tables::hardware_table(scene, own);
             @if !hardware.rows.is_empty() { (table(&hardware)) }
             (plots([figures::speedups(&page.looks, own), figures::rates(&page.looks, own)]))
             (table(&tables::structure_table(scene, own)))
             (table(&tables::stage_table(scene, page.report.comparison.run.options.threads)))
             (plots([figures::leaves(&page.looks, scene), figures::pareto(&page.looks, own)]))
-            (table(&tables::picture_table(own)))
+            (table(&tables::picture_table(scene, own)))
             (plots([figures::break_even(&page.looks, own), None]))
             (rounds(scene))
         }

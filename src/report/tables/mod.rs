@@ -21,7 +21,7 @@ pub(super) use run::facts;
 pub(super) use sampling::sampling_tables;
 pub(super) use scene::{
     agreement, compared_without_difference, hardware_table, picture_table, proof_table, ray_table,
-    rays_in_words, structure_table,
+    rays_in_words, structure_name, structure_table,
 };
 pub(super) use stages::stage_table;
 

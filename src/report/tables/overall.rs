@@ -1,6 +1,6 @@
 //! All scenes at a glance: how fast each structure is, and in how much its results were compared.
 
-use super::{Cell, Table, compared_without_difference};
+use super::{Cell, Table, agreement, compared_without_difference, structure_name};
 use crate::analysis::OverallFigures;
 use crate::record::{Comparison, RayClass, SceneRecord, Status};
 use crate::report::{Report, numbers};
@@ -34,7 +34,9 @@ pub(in crate::report) fn overall_table(report: &Report<'_>) -> Table {
                 spread: Some(numbers::things(own.scenes.into(), "scene")),
             })
         };
-        std::iter::once(Cell::text(*name)).chain(classes.iter().map(cell)).collect()
+        let scene = comparison.scenes.iter().find(|scene| scene.structure(name).is_some());
+        let name = scene.map_or_else(|| Cell::text(*name), |scene| structure_name(scene, name));
+        std::iter::once(name).chain(classes.iter().map(cell)).collect()
     };
     table.rows = names.iter().map(row).collect();
     table
@@ -51,7 +53,7 @@ pub(in crate::report) fn proof_matrix(comparison: &Comparison) -> Table {
     }
     let heads: Vec<&str> = std::iter::once("Scene").chain(names.iter().copied()).collect();
     let note = "In how many recorded rays, and in a picture of which size, results were compared with the \
-                reference's, bit for bit.";
+                reference's, bit for bit; of peers, which are as shipped, how many agree.";
     let mut table = Table::new("What was compared", note, &heads);
     if comparison.scenes.len() < 2 {
         return table;
@@ -67,6 +69,10 @@ pub(in crate::report) fn proof_matrix(comparison: &Comparison) -> Table {
 fn proved(scene: &SceneRecord, name: &str) -> Cell {
     let failed =
         scene.structure(name).is_some_and(|row| matches!(row.status, Status::Failed { .. }));
+    if let Some(peer) = scene.proof.as_ref().and_then(|proof| proof.peer(name)).filter(|_| !failed)
+    {
+        return Cell::text(agreement(peer));
+    }
     let entry = scene.proof.as_ref().and_then(|proof| Some((proof, proof.structure(name)?)));
     let Some((proof, entry)) = entry else {
         return if failed { Cell::text("failed") } else { Cell::nothing() };

@@ -36,9 +36,19 @@ pub(in crate::report) fn proof_table(proof: &Proof) -> Table {
 }
 
 /// How the rows of peers are to be read.
-const PEER_NOTE: &str = "A peer is another library. Its formulas differ from srt's, so its hits and \
-                         pictures differ in their last bits. Its result for a ray agrees if it has \
-                         the same primitive or nearly the same distance.";
+const PEER_NOTE: &str = "Structures without a remark test primitives by the same formula, srt's, whoever built \
+                         their tree. “As shipped” is a peer: another library with its own triangles and search. Its \
+                         formulas differ from srt's, so its hits and pictures differ in their last bits. Its \
+                         result for a ray agrees if it has the same primitive or nearly the same distance.";
+
+/// What is said of a peer in every table, beside its name or in its place.
+const AS_SHIPPED: &str = "as shipped";
+
+/// A structure's name, and of a peer that it is as shipped, where others have the same formula.
+pub(in crate::report) fn structure_name(scene: &SceneRecord, structure: &str) -> Cell {
+    let is_peer = scene.structure(structure).is_some_and(|own| own.peer);
+    Cell { spread: is_peer.then(|| AS_SHIPPED.to_owned()), ..Cell::text(structure) }
+}
 
 fn peer_row(entry: &PeerAgreement) -> Vec<Cell> {
     let differing = entry.rays_checked.saturating_sub(entry.rays_agreeing);
@@ -74,7 +84,7 @@ pub(in crate::report) fn compared_without_difference(entry: &StructureProof) -> 
 pub(in crate::report) fn agreement(entry: &PeerAgreement) -> String {
     // Rounded down, so that 100 % means all.
     let percent = entry.share().map(|share| (share * 1e6).floor() / 1e4);
-    percent.map_or_else(|| "a peer".to_owned(), |p| format!("a peer: {p} % agree"))
+    percent.map_or_else(|| AS_SHIPPED.to_owned(), |p| format!("{AS_SHIPPED}: {p} % agree"))
 }
 
 fn proof_row(entry: &StructureProof, reference: &str) -> Vec<Cell> {
@@ -125,15 +135,20 @@ pub(in crate::report) fn structure_table(scene: &SceneRecord, figures: &SceneFig
     );
     let mut table = Table::new("Structures", note, &heads);
     let rows = scene.structures.iter().zip(&figures.structures);
-    table.rows = rows.map(|(record, figures)| structure_row(record, figures)).collect();
+    let row = |(own, figures)| structure_row(scene, own, figures);
+    table.rows = rows.map(row).collect();
     table
 }
 
-fn structure_row(record: &StructureRecord, figures: &StructureFigures) -> Vec<Cell> {
+fn structure_row(
+    scene: &SceneRecord,
+    record: &StructureRecord,
+    figures: &StructureFigures,
+) -> Vec<Cell> {
     let memory = record.memory.as_ref();
     let shape = record.shape.as_ref();
     vec![
-        Cell::text(&record.name),
+        structure_name(scene, &record.name),
         Cell::text(status(&record.status)),
         Cell::time(figures.build_one_thread_ns),
         Cell::time(figures.build_all_threads_ns),
@@ -181,7 +196,7 @@ fn status(status: &Status) -> String {
 }
 
 /// The rays, by class.
-pub(in crate::report) fn ray_table(figures: &SceneFigures) -> Table {
+pub(in crate::report) fn ray_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
     let heads = [
         "Class",
         "Structure",
@@ -198,7 +213,11 @@ pub(in crate::report) fn ray_table(figures: &SceneFigures) -> Table {
     let mut table = Table::new("Rays", ray_note(figures), &heads);
     for class in figures.classes() {
         let rows = figures.structures.iter().filter_map(|s| Some((s, s.class(class)?)));
-        table.rows.extend(rows.map(|(structure, class)| ray_row(&structure.structure, class)));
+        table.rows.extend(
+            rows.map(|(structure, class)| {
+                ray_row(structure_name(scene, &structure.structure), class)
+            }),
+        );
     }
     table
 }
@@ -243,10 +262,10 @@ fn ray_note(figures: &SceneFigures) -> String {
     note
 }
 
-fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
+fn ray_row(structure: Cell, class: &ClassFigures) -> Vec<Cell> {
     vec![
         Cell::text(class.class.name()),
-        Cell::text(structure),
+        structure,
         Cell::compared(class.speedup),
         Cell::compared(class.million_rays_per_second),
         Cell::compared(class.ns_per_ray),
@@ -268,7 +287,7 @@ fn ray_row(structure: &str, class: &ClassFigures) -> Vec<Cell> {
 }
 
 /// What the processor counted; without rows if the system did not permit it.
-pub(in crate::report) fn hardware_table(figures: &SceneFigures) -> Table {
+pub(in crate::report) fn hardware_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
     let heads =
         ["Class", "Structure", "#Instructions/cycle", "#Branch misses/ray", "#Cache misses/ray"];
     let note = "Estimates for all recorded rays, each with its 95 % interval. Cache misses are those of the \
@@ -276,22 +295,25 @@ pub(in crate::report) fn hardware_table(figures: &SceneFigures) -> Table {
     let mut table = Table::new("Hardware counters", note, &heads);
     for class in figures.classes() {
         let rows = figures.structures.iter().filter_map(|s| Some((s, s.class(class)?)));
-        table.rows.extend(rows.filter_map(|(own, class)| hardware_row(&own.structure, class)));
+        let row = |(own, class): (&StructureFigures, _)| {
+            hardware_row(structure_name(scene, &own.structure), class)
+        };
+        table.rows.extend(rows.filter_map(row));
     }
     table
 }
 
-fn hardware_row(structure: &str, class: &ClassFigures) -> Option<Vec<Cell>> {
+fn hardware_row(structure: Cell, class: &ClassFigures) -> Option<Vec<Cell>> {
     let counted =
         [class.instructions_per_cycle, class.branch_misses_per_ray, class.cache_misses_per_ray];
     counted.iter().any(Option::is_some).then(|| {
-        let names = [Cell::text(class.class.name()), Cell::text(structure)];
+        let names = [Cell::text(class.class.name()), structure];
         names.into_iter().chain(counted.map(Cell::estimate)).collect()
     })
 }
 
 /// Build and rendering together, and from how many rays on a slower build pays off.
-pub(in crate::report) fn picture_table(figures: &SceneFigures) -> Table {
+pub(in crate::report) fn picture_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
     let heads = [
         "Structure",
         "#Build",
@@ -307,13 +329,13 @@ pub(in crate::report) fn picture_table(figures: &SceneFigures) -> Table {
         figures.base.as_deref().unwrap_or("the base")
     );
     let mut table = Table::new("Time to the picture", note, &heads);
-    table.rows = figures.structures.iter().map(picture_row).collect();
+    table.rows = figures.structures.iter().map(|own| picture_row(scene, own)).collect();
     table
 }
 
-fn picture_row(figures: &StructureFigures) -> Vec<Cell> {
+fn picture_row(scene: &SceneRecord, figures: &StructureFigures) -> Vec<Cell> {
     vec![
-        Cell::text(&figures.structure),
+        structure_name(scene, &figures.structure),
         Cell::time(figures.picture_build_ns),
         Cell::time(figures.picture_render_ns),
         Cell::time(figures.picture_ns),

@@ -1,9 +1,7 @@
 //! The known libraries as peers, each as it is shipped: its own tree, its own triangles, the fastest way that it
 //! documents. One file a library, which says in its head what was chosen.
 //!
-//! tinybvh is not among them. Its wrapper (tinybvh-rs 0.1.0-beta.3) has the eight-wide kernel only where all of the
-//! program is compiled for AVX2, answers no query for any hit, and its trees stay with the thread that made them: it
-//! would be measured at less than it can do. Rays are exported to it instead (`srt rays export`, `ray_file::tinybvh`).
+//! tinybvh is C++ and not among them: `scene/tinybvh.rs` is its file.
 //!
 //! Their hits are close to those of the structures, not equal to them. What all of them need is here: one list of the
 //! triangles of all objects, and the ids and weights that a hit has.
