@@ -1,7 +1,7 @@
 //! Intel's Embree 3 and 4, to compare with: their triangles, built with high quality and traced in their fast
 //! default mode. Their libraries are loaded as they are asked for.
 //!
-//! With `simd` the only layer with unsafe code, all of it calls of Embree's C interface. Knows
+//! With `simd` and `tinybvh` the only layer with unsafe code, all of it calls of Embree's C interface. Knows
 //! nothing of scenes: triangles in, rays in, hits out. Its formulas are its own, so its hits are
 //! close to those of the structures, and not equal to them.
 //!

@@ -2,7 +2,7 @@
 //!
 //! Formulas are written once, over [`Lanes`](crate::math::Lanes). Kernels that need more (loads, stores, the packing of
 //! what a mask keeps) are written once, over [`Simd`], and run with the widest instruction set
-//! that the processor has: see [`dispatch`]. With `embree`, this is the only layer with `unsafe` code.
+//! that the processor has: see [`dispatch`]. With `embree` and `tinybvh`, this is the only layer with `unsafe` code.
 
 #![allow(unsafe_code, reason = "the only layer that may, block by block")]
 

@@ -77,7 +77,7 @@ fn without_start(build: &cc::Build) -> Result<PathBuf, String> {
         return Err(format!("{compiler:?}: {status}"));
     }
     let text = fs::read_to_string(&assembly).map_err(|error| error.to_string())?;
-    let is_start = |line: &&str| line.trim_start().starts_with(".section\t.init_array");
+    let is_start = |line: &&str| line.trim_start().starts_with(".section\t.init_array,");
     if text.lines().filter(is_start).count() != 1 {
         return Err(format!("{}: expected one list of functions to start", assembly.display()));
     }

@@ -33,7 +33,8 @@ public:
 	}
 };
 
-// This thread, and those that it starts, on so many of its processors, until the end of the scope.
+// This thread, and those that it starts, on so many of its processors, from the one on which it runs, until the end of
+// the scope. One thread may run on any.
 class Processors {
 	bool few = false;
 #ifdef __linux__
@@ -44,11 +45,16 @@ public:
 	explicit Processors( uint32_t threads )
 	{
 	#ifdef __linux__
-		if (sched_getaffinity( 0, sizeof before, &before )) { may_be_several = false; return; }
+		if (threads < 2) return;
+		const int here = sched_getcpu();
+		if (here < 0 || sched_getaffinity( 0, sizeof before, &before )) { may_be_several = false; return; }
 		if (threads >= (uint32_t)CPU_COUNT( &before )) return;
 		cpu_set_t own;
 		CPU_ZERO( &own );
-		for (int i = 0; i < CPU_SETSIZE && threads; i++) if (CPU_ISSET( i, &before )) CPU_SET( i, &own ), threads--;
+		for (int i = 0; i < CPU_SETSIZE && threads; i++) {
+			const int processor = (here + i) % CPU_SETSIZE;
+			if (CPU_ISSET( processor, &before )) CPU_SET( processor, &own ), threads--;
+		}
 		few = !sched_setaffinity( 0, sizeof own, &own ), may_be_several = few;
 	#else
 		may_be_several = threads >= std::thread::hardware_concurrency();

@@ -363,3 +363,36 @@ fn the_chapter_on_sampling_has_a_verdict() {
     assert!(line.contains("(the median of 2 scenes), and takes 0.2"), "{line}");
     assert!(!Report::new(&sample::partial()).terminal().contains("Sampling"));
 }
+
+/// Two manners: srt's formula, or a library as it is shipped.
+#[test]
+fn every_table_says_of_a_peer_that_it_is_as_shipped() {
+    let mut comparison = sample::full();
+    let peer = comparison.scenes[0].structures[1].name.clone();
+    for scene in &mut comparison.scenes {
+        scene.structures[1].peer = true;
+        if let Some(proof) = &mut scene.proof {
+            proof.structures.retain(|entry| entry.structure != peer);
+            for entry in &mut proof.peers {
+                entry.structure.clone_from(&peer);
+            }
+        }
+    }
+    let report = Report::new(&comparison);
+    let (markdown, html) = (report.markdown(), report.html(&Pictures::default()));
+    let named = format!("| {peer} (as shipped) |");
+    let sections: Vec<&str> = markdown.split("\n### ").collect();
+    for title in ["All scenes together", "Rays", "Structures", "Time to the picture"] {
+        let of_title: Vec<_> =
+            sections.iter().filter(|own| own.starts_with(&format!("{title}\n"))).collect();
+        assert!(!of_title.is_empty(), "{title}");
+        assert!(of_title.iter().all(|own| own.contains(&named)), "{title}: {of_title:?}");
+    }
+    for title in ["Proof", "What was compared"] {
+        let own = sections.iter().find(|own| own.starts_with(&format!("{title}\n"))).unwrap();
+        assert!(own.contains("as shipped: 99.9994 % agree"), "{own}");
+    }
+    assert!(markdown.contains("the same formula, srt's"), "{markdown}");
+    assert!(html.matches("<span class=\"spread\">as shipped</span>").count() > 4);
+    assert!(report.terminal().contains("as shipped: 99.9994 % agree"), "{}", report.terminal());
+}
