@@ -20,6 +20,7 @@ fn table(structures: &Structures) -> String {
     for one in structures.all() {
         // Text takes what is written to it.
         let _ = writeln!(text, "{:width$}  {}{}", one.name, one.summary, when(one));
+        let _ = writeln!(text, "{:width$}    {}", "", manner(one));
         for option in one.offered_options() {
             let (name, values) = (option.name, values_in_words(option));
             let (summary, default) = (option.summary, option.default);
@@ -28,6 +29,13 @@ fn table(structures: &Structures) -> String {
         }
     }
     text
+}
+
+/// In which of the two manners rays meet primitives in it, and where it is from.
+fn manner(one: &Structure) -> String {
+    let manner = if one.peer { "as shipped" } else { "same formula" };
+    let source = if one.source.is_empty() { "" } else { "; from " };
+    format!("{manner}{source}{}", one.source)
 }
 
 /// Where a comparison has it.
@@ -52,5 +60,14 @@ mod tests {
         let options: usize = options.map(|one| one.offered_options().count()).sum();
         assert_eq!(text.matches(" [default: ").count(), options);
         assert!(text.contains("    builder=sah|"), "{text}");
+        for one in crate::scene::STRUCTURES.iter().chain(crate::scene::PEERS).chain([&MINE]) {
+            let mut lines =
+                text.lines().skip_while(|line| !line.starts_with(&format!("{} ", one.name)));
+            let below = lines.nth(1).unwrap().trim();
+            let manner = if one.peer { "as shipped" } else { "same formula" };
+            let source = if one.source.is_empty() { "" } else { "; from " };
+            assert_eq!(below, format!("{manner}{source}{}", one.source));
+            assert_eq!(one.source.is_empty(), ["none", "mine"].contains(&one.name), "{}", one.name);
+        }
     }
 }
