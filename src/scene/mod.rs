@@ -20,6 +20,7 @@ mod object;
 mod object_list;
 mod range;
 mod saved;
+mod structure;
 mod structures;
 mod surface;
 #[cfg(feature = "tinybvh")]
@@ -47,7 +48,8 @@ pub use foreign::{ForeignBuild, ForeignBytes, ForeignTracer, TriangleObject};
 pub use lights::Light;
 pub use object::Object;
 pub use object_list::ObjectList;
-pub use structures::{PEERS, STRUCTURES, Structure, structure_named};
+pub use structure::Structure;
+pub use structures::{PEERS, STRUCTURES, structure_named};
 pub use surface::Surface;
 use transforms::Transforms;
 pub use world::{BuildReport, TracedWorld, World};
