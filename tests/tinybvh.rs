@@ -8,7 +8,7 @@ mod common;
 use common::peers;
 use glam::Vec3;
 use srt::accel::BuildConfig;
-use srt::math::Ray;
+use srt::math::{Hit, Ray};
 use srt::scene::{Structure, structure_named};
 use srt::tinybvh::{Builder, Quality, TinyBvhError};
 
@@ -106,8 +106,9 @@ fn builds_on_several_threads_end_and_leave_no_thread() {
             builder.build(quality, 2).unwrap();
         }
     }
-    // Other tests have threads at the same time, each a few; eighty pools would have more.
-    assert!(threads() < 40, "{}", threads());
+    // Other tests have a few pools at the same time; these had eighty.
+    let processors = std::thread::available_parallelism().unwrap().get();
+    assert!(threads() < 20 * (processors + 1), "{}", threads());
 }
 
 /// Rays of any length, along axes and with components that are zero, from before a triangle and from behind it.
@@ -130,7 +131,7 @@ fn parameters_are_in_units_of_the_direction() {
         };
         let diagonal = Ray::new(from - Vec3::splat(3.0), Vec3::ONE * length);
         let rays = [down(0.0, 9.0), down(2.5, 9.0), down(3.5, 9.0), down(0.0, 2.5), diagonal];
-        let (mut hits, mut blocked) = ([srt::math::Hit::MISS; 5], [false; 5]);
+        let (mut hits, mut blocked) = ([Hit::MISS; 5], [false; 5]);
         scene.intersect(&rays, &mut hits);
         scene.occluded(&rays, &mut blocked);
         for (hit, expected) in hits.iter().zip([true, true, false, false, false]) {
@@ -143,11 +144,18 @@ fn parameters_are_in_units_of_the_direction() {
         }
         assert_eq!(blocked, [true, true, false, false, false], "{length}");
     }
-    // What is no ray of a length hits nothing: tinybvh would end the process.
-    let none =
-        [Ray::new(from, Vec3::ZERO), Ray::new(Vec3::NAN, Vec3::X), Ray::new(from, Vec3::NAN)];
-    let (mut hits, mut blocked) =
-        ([srt::math::Hit { object: 0, ..srt::math::Hit::MISS }; 3], [true; 3]);
+    // What is no ray of a length, or comes from beyond all scenes, hits nothing: tinybvh would end the process.
+    let none = [
+        Ray::new(from, Vec3::ZERO),
+        Ray::new(Vec3::NAN, Vec3::X),
+        Ray::new(from, Vec3::NAN),
+        Ray::new(from, Vec3::INFINITY),
+        Ray { t_max: f32::NAN, ..Ray::new(from, Vec3::NEG_Z) },
+        Ray::new(Vec3::new(1e30, 1e30, -1e29), Vec3::Z),
+        Ray::new(Vec3::new(1e10, 1e10, 3.0), Vec3::Z),
+    ];
+    let mut hits = [Hit { object: 0, ..Hit::MISS }; 7];
+    let mut blocked = [true; 7];
     scene.intersect(&none, &mut hits);
     scene.occluded(&none, &mut blocked);
     assert!(hits.iter().all(|hit| !hit.is_hit()) && !blocked.contains(&true));
@@ -167,7 +175,7 @@ fn a_tree_beyond_its_stacks_is_refused() {
             builder.build(quality, 1)
         };
         let few = build(100).unwrap();
-        let mut hits = [srt::math::Hit::MISS];
+        let mut hits = [Hit::MISS];
         few.intersect(&[Ray::new(Vec3::new(0.2, 0.2, 1.0), Vec3::NEG_Z)], &mut hits);
         assert!((hits[0].t - 1.0).abs() < 1e-6, "{hits:?}");
         let error = build(100_000).err().unwrap();

@@ -3,7 +3,7 @@
 use crate::math::{Hit, Ray};
 
 use super::TinyBvhError;
-use super::triangles::{Facts, Quality};
+use super::triangles::{Corner, Facts, Quality};
 
 /// A tree that cannot be.
 pub(super) enum Index {}
@@ -13,7 +13,7 @@ impl Index {
         Err(TinyBvhError::Processor)
     }
 
-    pub(super) fn build(_: &[[f32; 4]], _: Quality, _: usize) -> Result<Self, TinyBvhError> {
+    pub(super) fn build(_: &[Corner], _: Quality, _: usize) -> Result<Self, TinyBvhError> {
         Err(TinyBvhError::Processor)
     }
 

@@ -18,7 +18,7 @@ using namespace tinybvh;
 
 namespace {
 
-struct Query { float origin[3], t_min, dir[3], t_max; };   // `math::Ray`
+struct Query { float origin[3], t_min, dir[3], t_max; };      // `math::Ray`
 struct Found { float t; uint32_t object, prim; float u, v; }; // `math::Hit`
 struct Facts { uint64_t bytes; bool spatial, threaded; };
 enum Refusal : uint32_t { NONE, MEMORY, DEEP, LARGE };
@@ -27,6 +27,8 @@ enum Refusal : uint32_t { NONE, MEMORY, DEEP, LARGE };
 const uint32_t THREADED_FROM = 50000;
 // Levels of the binary tree: what fits into the stacks (64 and 128) of SplitLeafs, Compact and the collapse.
 const uint32_t LEVELS = 48;
+// How far rays go and come from. Where a node has no child, it has a box at 10^30 that no ray may meet.
+const float FARTHEST = 1e25f;
 // Entries of the stack of a search, of which a node writes eight at once.
 const uint32_t STACK = 256;
 
@@ -91,8 +93,10 @@ inline bool prepare( const Query& query, Ray& ray, float& length )
 		d = bvhvec3( (float)(x / precise), (float)(y / precise), (float)(z / precise) );
 	}
 	ray.D = d, ray.rD = tinybvh_rcp( d );
-	ray.hit.t = tinybvh_min( (query.t_max - query.t_min) * length, BVH_FAR );
-	return length > 0 && !std::isnan( d.x + d.y + d.z + ray.hit.t + ray.O.x + ray.O.y + ray.O.z );
+	const float end = (query.t_max - query.t_min) * length;
+	ray.hit.t = end < FARTHEST ? end : FARTHEST;
+	const auto is_near = []( float x ) { return fabsf( x ) < FARTHEST; };
+	return length > 0 && is_near( ray.O.x ) && is_near( ray.O.y ) && is_near( ray.O.z ) && !std::isnan( d.x + d.y + d.z + end );
 }
 
 } // namespace
@@ -105,17 +109,12 @@ extern "C" void srt_tinybvh_initialize() { srt_tinybvh_start[0](); }
 extern "C" void srt_tinybvh_initialize() {}
 #endif
 
-extern "C" void srt_tinybvh_version( uint32_t* version )
-{
-	version[0] = TINY_BVH_VERSION_MAJOR, version[1] = TINY_BVH_VERSION_MINOR, version[2] = TINY_BVH_VERSION_SUB;
-}
-
 extern "C" uint32_t srt_tinybvh_build( const float* corners, uint32_t triangles, bool hq, uint32_t threads, void** built )
 {
 	BVH8_CPU* tree = 0;
 	try {
 		Processors processors( threads );
-		const bool several = threads > 1 && processors.may_be_several;
+		const bool several = threads > 1 && processors.may_be_several && std::thread::hardware_concurrency() > 0;
 		threaded_from = several ? THREADED_FROM : UINT32_MAX;
 		std::unique_ptr<Pools> pools( several && triangles >= THREADED_FROM ? new Pools() : 0 );
 		tree = new BVH8_CPU();

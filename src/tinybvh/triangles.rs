@@ -25,11 +25,16 @@ pub(super) struct Facts {
     threaded: bool,
 }
 
+/// A corner as tinybvh reads it: in one piece, whose fourth number is ignored.
+#[derive(Clone, Copy)]
+#[repr(C, align(16))]
+pub(super) struct Corner([f32; 4]);
+
 /// Triangles while they are gathered.
 #[derive(Default)]
 pub struct Builder {
-    /// Three corners of each triangle, as tinybvh reads them: the fourth number of each is ignored.
-    corners: Vec<[f32; 4]>,
+    /// Three of each triangle.
+    corners: Vec<Corner>,
     /// The place of the first triangle of each object.
     firsts: Vec<u32>,
 }
@@ -57,7 +62,7 @@ impl Builder {
     /// If an index is out of range.
     pub fn add(&mut self, positions: &[Vec3], triangles: &[[u32; 3]]) {
         self.firsts.push((self.corners.len() / 3) as u32);
-        let corner = |&i: &u32| positions[i as usize].extend(0.0).to_array();
+        let corner = |&i: &u32| Corner(positions[i as usize].extend(0.0).to_array());
         self.corners.extend(triangles.as_flattened().iter().map(corner));
     }
 
