@@ -5,8 +5,8 @@
 //! tested at once and taken nearest first, four triangles of a leaf, laid out for it, at once; what lies behind the
 //! best hit is taken off the stack; a search for any hit ends at the first. It searches ray by ray. The builder is an
 //! option, by default the one with spatial splits: its trees were searched 1.15 to 1.22 × as fast on a scan as those of
-//! the other, and as fast on a knot, on land and in a soup of triangles, for 5 × the time of a build. It is compiled with
-//! the flags that its documentation names, for AVX2 and FMA and not for the machine at hand.
+//! the other, and as fast on a knot, on land and in a soup of triangles, for 5 × the time of a build. It is compiled
+//! with the flags that its documentation names, for AVX2 and FMA and not for the machine at hand.
 //!
 //! What it cannot do: build on a number of threads of one's choice. Its pools have as many as the machine, from 50,000
 //! triangles on. On one thread it builds when it is to; on fewer than there are, its pools share as many processors

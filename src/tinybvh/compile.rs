@@ -93,7 +93,7 @@ fn folder() -> Result<PathBuf, String> {
     if let Some(folder) = env::var_os(FOLDER).filter(|folder| !folder.is_empty()) {
         return Ok(folder.into());
     }
-    // All packages are there while this one is built; cargo looks for more only where it was told of another place.
+    // What a build needs is there while it runs, but cargo asks for the packages of tests and benches, too.
     let found = metadata(&["--offline"]).or_else(|_| metadata(&[]));
     let found = found.and_then(|metadata| {
         let package = metadata.packages.into_iter().find(|own| own.name == WRAPPER);

@@ -67,7 +67,7 @@ impl Index {
         let (data, hq) = (corners.as_ptr().cast(), quality == Quality::High);
         let threads = threads.try_into().unwrap_or(u32::MAX);
         let mut built = ptr::null_mut();
-        // SAFETY: there are three corners of four floats for each triangle, aligned to 16 bytes, and the tree keeps none.
+        // SAFETY: there are three corners of four floats for each triangle, aligned to 16 bytes; the tree keeps none.
         let refusal =
             unsafe { srt_tinybvh_build(data, triangles as u32, hq, threads, &raw mut built) };
         match refusal {

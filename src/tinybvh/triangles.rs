@@ -107,7 +107,8 @@ impl TriangleScene {
         }
     }
 
-    /// Bytes of the index, whose leaves hold the triangles, and of the trees that it was made from, which tinybvh keeps.
+    /// Bytes of the index, whose leaves hold the triangles, and of the trees that it was made from, which tinybvh
+    /// keeps.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         self.index.as_ref().map_or(0, |index| index.facts().bytes)

@@ -1,5 +1,5 @@
-//! What is asked of every library that is a peer: it agrees with srt's structures on nearly all rays, has the ids of the
-//! scene, and names what it cannot trace.
+//! What is asked of every library that is a peer: it agrees with srt's structures on nearly all rays, has the ids of
+//! the scene, and names what it cannot trace.
 #![allow(
     dead_code,
     clippy::unwrap_used,
