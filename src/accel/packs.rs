@@ -1,4 +1,4 @@
-//! Primitives in packs of eight, for kernels that test eight primitives, or sixteen rays, at once.
+//! Primitives in packs of eight, for kernels that test eight primitives, or a packet of rays, at once.
 
 use crate::math::{Lanes, Lanes3, Mask as _, Ray};
 use crate::simd::Simd;
@@ -54,8 +54,8 @@ pub trait Packs: Sync {
     /// A ray as the formula takes it.
     type Ray: Copy + Default + Send + 'static;
 
-    /// Sixteen rays as the formula takes them.
-    type Rays<S: Simd>: Copy;
+    /// Several rays as the formula takes them, a ray in each lane.
+    type Rays<R: Lanes>: Copy;
 
     /// A ray as the formula takes it; `inv_dir` is 1/direction, cut to finite values.
     fn ray(ray: &Ray, inv_dir: &[f32; 3]) -> Self::Ray;
@@ -69,23 +69,18 @@ pub trait Packs: Sync {
         rays: &mut [Self::Ray; PACK],
     );
 
-    /// Sixteen rays, by their origins, directions, and 1/direction.
-    fn rays<S: Simd>(
-        origin: &Lanes3<S::F16>,
-        dir: &Lanes3<S::F16>,
-        inv_dir: &Lanes3<S::F16>,
-    ) -> Self::Rays<S>;
+    /// Several rays, by their origins, directions, and 1/direction.
+    fn rays<R: Lanes>(
+        origin: &Lanes3<R>,
+        dir: &Lanes3<R>,
+        inv_dir: &Lanes3<R>,
+    ) -> Self::Rays<R>;
 
     /// One ray against the eight primitives of a pack.
     fn test_pack<S: Simd>(&self, pack: usize, ray: &Self::Ray) -> PackHits<S::F8>;
 
-    /// Sixteen rays against one primitive.
-    fn test_lane<S: Simd>(
-        &self,
-        pack: usize,
-        lane: usize,
-        rays: &Self::Rays<S>,
-    ) -> PackHits<S::F16>;
+    /// Several rays against one primitive.
+    fn test_lane<R: Lanes>(&self, pack: usize, lane: usize, rays: &Self::Rays<R>) -> PackHits<R>;
 
     /// The parameter and the coordinates of a hit that is [`flat`](PackHits::flat); the parameter is NaN if
     /// there is none.
@@ -120,7 +115,7 @@ impl Packs for NoPacks {
     const GRAIN: u32 = 1;
 
     type Ray = NoRay;
-    type Rays<S: Simd> = NoRay;
+    type Rays<R: Lanes> = NoRay;
 
     fn ray(_: &Ray, _: &[f32; 3]) -> NoRay {
         unreachable!("{NONE}")
@@ -135,7 +130,7 @@ impl Packs for NoPacks {
         unreachable!("{NONE}")
     }
 
-    fn rays<S: Simd>(_: &Lanes3<S::F16>, _: &Lanes3<S::F16>, _: &Lanes3<S::F16>) -> NoRay {
+    fn rays<R: Lanes>(_: &Lanes3<R>, _: &Lanes3<R>, _: &Lanes3<R>) -> NoRay {
         unreachable!("{NONE}")
     }
 
@@ -143,7 +138,7 @@ impl Packs for NoPacks {
         unreachable!("{NONE}")
     }
 
-    fn test_lane<S: Simd>(&self, _: usize, _: usize, _: &NoRay) -> PackHits<S::F16> {
+    fn test_lane<R: Lanes>(&self, _: usize, _: usize, _: &NoRay) -> PackHits<R> {
         unreachable!("{NONE}")
     }
 

@@ -14,7 +14,7 @@ use crate::accel::{Bounded, PACK, PackHits, Packs, Primitives, Query, Search};
 use crate::counters::Counters;
 use crate::math::slab::not_before;
 use crate::math::{
-    Aabb, BoxRay, Hit, Lanes as _, Lanes3, Mask as _, NONE, Padding, Ray, ones, within,
+    Aabb, BoxRay, Hit, Lanes, Lanes3, Mask as _, NONE, Padding, Ray, ones, within,
 };
 use crate::simd::{Row, Simd, prefetch};
 
@@ -271,7 +271,7 @@ impl Packs for TriangleSet {
     const GRAIN: u32 = LANES as u32;
 
     type Ray = TriangleRay;
-    type Rays<S: Simd> = TriangleRays<S::F16>;
+    type Rays<R: Lanes> = TriangleRays<R>;
 
     #[inline(always)]
     fn ray(ray: &Ray, inv_dir: &[f32; 3]) -> TriangleRay {
@@ -289,11 +289,11 @@ impl Packs for TriangleSet {
     }
 
     #[inline(always)]
-    fn rays<S: Simd>(
-        origin: &Lanes3<S::F16>,
-        dir: &Lanes3<S::F16>,
-        inv_dir: &Lanes3<S::F16>,
-    ) -> TriangleRays<S::F16> {
+    fn rays<R: Lanes>(
+        origin: &Lanes3<R>,
+        dir: &Lanes3<R>,
+        inv_dir: &Lanes3<R>,
+    ) -> TriangleRays<R> {
         TriangleRays::new(origin, dir, inv_dir)
     }
 
@@ -309,12 +309,12 @@ impl Packs for TriangleSet {
     }
 
     #[inline(always)]
-    fn test_lane<S: Simd>(
+    fn test_lane<R: Lanes>(
         &self,
         pack: usize,
         lane: usize,
-        rays: &TriangleRays<S::F16>,
-    ) -> PackHits<S::F16> {
+        rays: &TriangleRays<R>,
+    ) -> PackHits<R> {
         let pack = &self.packs[pack];
         let places = rays.arrange(|corner, axis| pack.coordinate(corner, axis as usize, lane));
         scaled_hit(&rays.sheared, places)

@@ -18,4 +18,4 @@ mod x86;
 pub(crate) use huge_pages::ask_for_huge_pages;
 pub use isa::{Isa, IsaError, Kernel, dispatch};
 pub(crate) use prefetch::prefetch;
-pub use row::{LANES, Row, Simd, splat3};
+pub use row::{LANES, LARGEST_PACKET, PacketKernel, Row, Simd, splat3};

@@ -133,6 +133,18 @@ macro_rules! row_of_two {
                 self.1.store(&mut halves[1]);
             }
             #[inline(always)]
+            fn of_records(records: &[[f32; 8]; $whole]) -> [Self; 8] {
+                let (halves, _) = records.as_chunks::<$half>();
+                let (low, high) = (R::of_records(&halves[0]), R::of_records(&halves[1]));
+                let mut rows = [Self(low[0], high[0]); 8];
+                let mut i = 1;
+                while i < 8 {
+                    rows[i] = Self(low[i], high[i]);
+                    i += 1;
+                }
+                rows
+            }
+            #[inline(always)]
             fn smallest(self) -> f32 {
                 self.0.min(self.1).smallest()
             }
@@ -150,3 +162,5 @@ macro_rules! row_of_two {
 
 row_of_two!(4, 8);
 row_of_two!(8, 16);
+#[cfg(target_arch = "x86_64")]
+row_of_two!(16, 32);

@@ -5,7 +5,7 @@ use glam::Vec4;
 use crate::math::{Lanes as _, Mask as _};
 
 use super::pair::Pair;
-use super::{LANES, Row, Simd};
+use super::{LANES, PacketKernel, Row, Simd};
 
 /// Four floats at a time, nothing fused.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +23,17 @@ impl Row<4> for Vec4 {
     #[inline(always)]
     fn store(self, values: &mut [f32; 4]) {
         *values = self.to_array();
+    }
+    #[inline(always)]
+    fn of_records(records: &[[f32; 8]; 4]) -> [Self; 8] {
+        let mut rows = [Vec4::ZERO; 8];
+        let mut i = 0;
+        while i < 8 {
+            let [x, y, z, w] = [records[0][i], records[1][i], records[2][i], records[3][i]];
+            rows[i] = Vec4::new(x, y, z, w);
+            i += 1;
+        }
+        rows
     }
     #[inline(always)]
     fn smallest(self) -> f32 {
@@ -45,23 +56,13 @@ impl Simd for Portable {
     const FUSES: bool = false;
 
     #[inline(always)]
-    fn halves(row: Self::F8) -> [Vec4; 2] {
-        [row.0, row.1]
+    fn in_packets<K: PacketKernel>(kernel: K) -> K::Output {
+        kernel.run::<Self, Self::F16, LANES>()
     }
 
     #[inline(always)]
-    fn transpose(records: &[[f32; 8]; LANES]) -> [Self::F16; 8] {
-        let mut rows = [[0.0; LANES]; 8];
-        for (lane, record) in records.iter().enumerate() {
-            for (row, &value) in rows.iter_mut().zip(record) {
-                row[lane] = value;
-            }
-        }
-        let mut transposed = [Self::F16::splat(0.0); 8];
-        for (row, values) in transposed.iter_mut().zip(&rows) {
-            *row = Self::F16::load(values);
-        }
-        transposed
+    fn halves(row: Self::F8) -> [Vec4; 2] {
+        [row.0, row.1]
     }
 
     #[inline(always)]

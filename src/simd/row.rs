@@ -12,6 +12,8 @@ pub trait Row<const N: usize>: Lanes {
     fn load_bits(bits: &[u32; N]) -> Self;
     /// Writes the lanes to an array.
     fn store(self, values: &mut [f32; N]);
+    /// `N` records of eight floats as eight rows, the first of which has all first floats.
+    fn of_records(records: &[[f32; 8]; N]) -> [Self; 8];
     /// The smallest lane; of numbers alone.
     fn smallest(self) -> f32;
     /// The largest lane; of numbers alone.
@@ -36,6 +38,17 @@ pub fn splat3<R: Lanes>([x, y, z]: [f32; 3]) -> Lanes3<R> {
 /// The lanes of [`Simd::F16`]: so many rays, or surfaces, are computed with together.
 pub const LANES: usize = 16;
 
+/// The most rays of a packet.
+pub const LARGEST_PACKET: usize = 32;
+
+/// A computation with packets of rays, `N` of them in a row: what [`Simd::in_packets`] runs.
+pub trait PacketKernel {
+    /// What it returns.
+    type Output;
+    /// Computes. Inlined, as [`Kernel::run`](super::Kernel::run) is.
+    fn run<S: Simd, R: Row<N>, const N: usize>(self) -> Self::Output;
+}
+
 /// An instruction set. Its types cannot be named outside of this layer: a kernel gets them from
 /// [`dispatch`](super::dispatch), which has checked that the processor has them.
 pub trait Simd: Copy + Send + Sync + 'static {
@@ -48,10 +61,11 @@ pub trait Simd: Copy + Send + Sync + 'static {
     /// fused form) or the origin.
     const FUSES: bool;
 
+    /// Runs a kernel with packets of as many rays as suit the instruction set.
+    fn in_packets<K: PacketKernel>(kernel: K) -> K::Output;
+
     /// The lower and the upper four lanes.
     fn halves(row: Self::F8) -> [Vec4; 2];
-    /// Sixteen records of eight floats as eight rows, the first of which has all first floats.
-    fn transpose(records: &[[f32; 8]; LANES]) -> [Self::F16; 8];
     /// Eight rows, the first of which has all first floats of eight records, as these records, or the other way round.
     fn transpose_eight(rows: [Self::F8; 8]) -> [Self::F8; 8];
 

@@ -16,7 +16,7 @@ use glam::Vec4;
 use crate::math::{Lanes, Mask};
 
 use super::pair::Pair;
-use super::{Kernel, Row, Simd};
+use super::{Kernel, LANES, LARGEST_PACKET, PacketKernel, Row, Simd};
 
 /// AVX2 with fused multiply-add.
 #[derive(Clone, Copy, Debug)]
@@ -343,6 +343,11 @@ macro_rules! eight {
                 op!(_mm256_storeu_ps(values.as_mut_ptr(), self.0));
             }
             #[inline(always)]
+            fn of_records(records: &[[f32; 8]; 8]) -> [Self; 8] {
+                let [a, b, c, d, e, f, g, h] = transposed(records);
+                [Self(a), Self(b), Self(c), Self(d), Self(e), Self(f), Self(g), Self(h)]
+            }
+            #[inline(always)]
             fn smallest(self) -> f32 {
                 op!({
                     let low = _mm256_castps256_ps128(self.0);
@@ -383,6 +388,17 @@ impl Row<16> for Sixteen {
     #[inline(always)]
     fn store(self, values: &mut [f32; 16]) {
         op!(_mm512_storeu_ps(values.as_mut_ptr(), self.0));
+    }
+    #[inline(always)]
+    fn of_records(records: &[[f32; 8]; 16]) -> [Self; 8] {
+        let (halves, _) = records.as_chunks::<8>();
+        let (low, high) = (transposed(&halves[0]), transposed(&halves[1]));
+        let mut rows = [Self::splat(0.0); 8];
+        for i in 0..8 {
+            let low = op!(_mm512_castps256_ps512(low[i]));
+            rows[i] = Self(op!(_mm512_insertf32x8::<1>(low, high[i])));
+        }
+        rows
     }
     #[inline(always)]
     fn smallest(self) -> f32 {
@@ -443,7 +459,7 @@ fn halves(row: __m256) -> [Vec4; 2] {
 
 /// Eight records of eight floats as eight rows.
 #[inline(always)]
-fn transposed(r: &[[f32; 8]]) -> [__m256; 8] {
+fn transposed(r: &[[f32; 8]; 8]) -> [__m256; 8] {
     transposed_rows(op!([
         _mm256_loadu_ps(r[0].as_ptr()),
         _mm256_loadu_ps(r[1].as_ptr()),
@@ -495,18 +511,13 @@ impl Simd for Avx2 {
     const FUSES: bool = true;
 
     #[inline(always)]
-    fn halves(row: Eight) -> [Vec4; 2] {
-        halves(row.0)
+    fn in_packets<K: PacketKernel>(kernel: K) -> K::Output {
+        kernel.run::<Self, Self::F16, LANES>()
     }
 
     #[inline(always)]
-    fn transpose(records: &[[f32; 8]; 16]) -> [Pair<Eight>; 8] {
-        let (low, high) = (transposed(&records[..8]), transposed(&records[8..]));
-        let mut rows = [Pair(Eight(low[0]), Eight(high[0])); 8];
-        for i in 1..8 {
-            rows[i] = Pair(Eight(low[i]), Eight(high[i]));
-        }
-        rows
+    fn halves(row: Eight) -> [Vec4; 2] {
+        halves(row.0)
     }
 
     #[inline(always)]
@@ -569,19 +580,13 @@ impl Simd for Avx512 {
     const FUSES: bool = true;
 
     #[inline(always)]
-    fn halves(row: MaskedEight) -> [Vec4; 2] {
-        halves(row.0)
+    fn in_packets<K: PacketKernel>(kernel: K) -> K::Output {
+        kernel.run::<Self, Pair<Sixteen>, LARGEST_PACKET>()
     }
 
     #[inline(always)]
-    fn transpose(records: &[[f32; 8]; 16]) -> [Sixteen; 8] {
-        let (low, high) = (transposed(&records[..8]), transposed(&records[8..]));
-        let mut rows = [Sixteen::splat(0.0); 8];
-        for i in 0..8 {
-            let low = op!(_mm512_castps256_ps512(low[i]));
-            rows[i] = Sixteen(op!(_mm512_insertf32x8::<1>(low, high[i])));
-        }
-        rows
+    fn halves(row: MaskedEight) -> [Vec4; 2] {
+        halves(row.0)
     }
 
     #[inline(always)]

@@ -3,12 +3,11 @@
 use crate::accel::{Packs, Primitives, Query, Scratch};
 use crate::counters::Counters;
 use crate::math::Ray;
-use crate::simd::{Kernel, Simd, dispatch};
+use crate::simd::{Kernel, PacketKernel, Row, Simd, dispatch};
 
 use super::Bvh8;
 use super::diverged::Diverged;
 use super::packet::{self, Outcome};
-use super::packet_rays::RAYS;
 use super::task::Task;
 use super::wave::{self, RayOf};
 
@@ -64,17 +63,33 @@ impl<P: Primitives, Q: Query, C: Counters> Kernel for Search<'_, P, Q, C> {
 
     #[inline(always)]
     fn run<S: Simd>(self) {
+        S::in_packets(self);
+    }
+}
+
+impl<P: Primitives, Q: Query, C: Counters> PacketKernel for Search<'_, P, Q, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd, L: Row<N>, const N: usize>(self) {
         let Self { task, rays, answers, memory, counters } = self;
         for (rays, answers) in rays.chunks(AT_ONCE).zip(answers.chunks_mut(AT_ONCE)) {
-            memory.search::<S, P, Q, C>(&task, rays, answers, counters);
+            memory.search::<S, L, P, Q, C, N>(&task, rays, answers, counters);
         }
     }
 }
 
 impl<R> Memory<R> {
-    /// Rays go down by sixteens where and as long as they are coherent, and else in waves.
+    /// Rays go down in packets where and as long as they are coherent, and else in waves.
     #[inline(always)]
-    fn search<S: Simd, P: Primitives<Packs: Packs<Ray = R>>, Q: Query, C: Counters>(
+    fn search<
+        S: Simd,
+        L: Row<N>,
+        P: Primitives<Packs: Packs<Ray = R>>,
+        Q: Query,
+        C: Counters,
+        const N: usize,
+    >(
         &mut self,
         task: &Task<'_, P, Q>,
         rays: &[Ray],
@@ -84,17 +99,17 @@ impl<R> Memory<R> {
         let Self { wave, packet, incoherent, diverged } = self;
         incoherent.clear();
         diverged.clear();
-        let (packets, rest) = rays.as_chunks::<{ RAYS }>();
-        let (of_packets, _) = answers.as_chunks_mut::<{ RAYS }>();
+        let (packets, rest) = rays.as_chunks::<N>();
+        let (of_packets, _) = answers.as_chunks_mut::<N>();
         for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
-            let first = (number * RAYS) as u32;
+            let first = (number * N) as u32;
             let numbered = (first, rays);
             if in_several_octants(rays)
-                || packet::search::<S, P, Q, C, false>(
+                || packet::search::<S, L, P, Q, C, false, N>(
                     task, numbered, answers, packet, diverged, counters,
                 ) == Outcome::Incoherent
             {
-                incoherent.extend(first..first + RAYS as u32);
+                incoherent.extend(first..first + N as u32);
             }
         }
         incoherent.extend((rays.len() - rest.len()) as u32..rays.len() as u32);
@@ -103,11 +118,10 @@ impl<R> Memory<R> {
     }
 }
 
-/// Whether directions of some of the rays differ in a sign. Such rays make no packet, and a few of sixteen tell most
-/// of them.
+/// Whether directions of some of the rays differ in a sign. Such rays make no packet, and a few of them tell most.
 #[inline(always)]
-fn in_several_octants(rays: &[Ray; RAYS]) -> bool {
-    let [a, b, c, d] = [&rays[0], &rays[5], &rays[10], &rays[15]];
+fn in_several_octants<const N: usize>(rays: &[Ray; N]) -> bool {
+    let [a, b, c, d] = [&rays[0], &rays[N / 3], &rays[2 * N / 3], &rays[N - 1]];
     let signs = |ray: &Ray, axis: usize| ray.dir[axis].to_bits() ^ a.dir[axis].to_bits();
     let differ = |ray: &Ray| signs(ray, 0) | signs(ray, 1) | signs(ray, 2);
     (differ(b) | differ(c) | differ(d)) >> 31 != 0

@@ -1,4 +1,4 @@
-//! Packets: sixteen coherent rays go down the tree together.
+//! Packets: coherent rays go down the tree together, as many as suit the instruction set.
 //!
 //! The packet as a whole is tested against a node's eight children at once, by intervals: the
 //! slab test with the smallest and the largest of the rays' terms bounds that of every ray from
@@ -10,13 +10,13 @@
 use crate::accel::{PACK, PackHits, Packs, Primitives, Query, Search};
 use crate::counters::Counters;
 use crate::math::{Hit, Lanes as _, Mask as _, NONE, Ray, ones, within};
-use crate::simd::{Kernel, Row, Simd, dispatch};
+use crate::simd::{Kernel, LARGEST_PACKET, PacketKernel, Row, Simd, dispatch};
 
 use super::HEIGHT;
 use super::coherence::CoherenceBudget;
 use super::diverged::Diverged;
 use super::node::{Child, order_shift};
-use super::packet_rays::{ALL, Boxes, Packet, RAYS};
+use super::packet_rays::{Boxes, Packet, all};
 use super::task::Task;
 
 /// The lanes of a row, each in its own.
@@ -27,26 +27,35 @@ pub(super) struct Stack {
     /// What is to be visited, and by which rays.
     entries: [(Child, u32); HEIGHT],
     /// Where each ray enters it.
-    begins: [[f32; RAYS]; HEIGHT],
+    begins: [[f32; LARGEST_PACKET]; HEIGHT],
 }
 
 impl Default for Stack {
     fn default() -> Self {
-        Self { entries: [(Child::ABSENT, 0); HEIGHT], begins: [[0.0; RAYS]; HEIGHT] }
+        Self {
+            entries: [(Child::ABSENT, 0); HEIGHT],
+            begins: [[0.0; LARGEST_PACKET]; HEIGHT],
+        }
     }
 }
 
+/// The row of a packet, in a row with room for the largest.
+#[inline(always)]
+fn row<const N: usize>(row: &mut [f32; LARGEST_PACKET]) -> &mut [f32; N] {
+    row.first_chunk_mut().expect("no packet is larger than the largest")
+}
+
 /// The best hits so far.
-struct Best<R> {
+struct Best<R, const N: usize> {
     t: R,
     u: R,
     v: R,
-    prim: [u32; RAYS],
+    prim: [u32; N],
     /// A bit for each ray that has hit something.
     hit: u32,
 }
 
-/// What became of sixteen rays.
+/// What became of the rays of a packet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
     /// All are answered.
@@ -58,11 +67,11 @@ pub(super) enum Outcome {
     Diverged,
 }
 
-/// Sixteen rays, some of which hardly move along an axis, and all that is needed to answer them.
+/// A packet of rays, some of which hardly move along an axis, and all that is needed to answer them.
 struct AxisAligned<'a, P: Primitives, Q: Query, C> {
     task: &'a Task<'a, P, Q>,
-    rays: (u32, &'a [Ray; RAYS]),
-    answers: &'a mut [Q::Answer; RAYS],
+    rays: (u32, &'a [Ray]),
+    answers: &'a mut [Q::Answer],
     stack: &'a mut Stack,
     diverged: &'a mut Diverged,
     counters: &'a mut C,
@@ -83,24 +92,45 @@ impl<P: Primitives, Q: Query, C: Counters> Kernel for AxisAligned<'_, P, Q, C> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Outcome {
-        let Self { task, rays, answers, stack, diverged, counters } = self;
-        search::<S, P, Q, C, true>(task, rays, answers, stack, diverged, counters)
+        S::in_packets(self)
     }
 }
 
-/// Answers sixteen rays, the first of which has the place `first` in the slice, or sets some aside
+impl<P: Primitives, Q: Query, C: Counters> PacketKernel for AxisAligned<'_, P, Q, C> {
+    type Output = Outcome;
+
+    #[inline(always)]
+    fn run<S: Simd, R: Row<N>, const N: usize>(self) -> Outcome {
+        let Self { task, rays: (first, rays), answers, stack, diverged, counters } = self;
+        let (Some(rays), Some(answers)) = (rays.first_chunk(), answers.first_chunk_mut()) else {
+            return Outcome::Incoherent;
+        };
+        let rays = (first, rays);
+        search::<S, R, P, Q, C, true, N>(task, rays, answers, stack, diverged, counters)
+    }
+}
+
+/// Answers the rays of a packet, the first of which has the place `first` in the slice, or sets some aside
 /// that diverged. Their terms are the usual ones, or those that are `CUT`.
 #[inline(always)]
-pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters, const CUT: bool>(
+pub(super) fn search<
+    S: Simd,
+    R: Row<N>,
+    P: Primitives,
+    Q: Query,
+    C: Counters,
+    const CUT: bool,
+    const N: usize,
+>(
     task: &Task<'_, P, Q>,
-    (first, rays): (u32, &[Ray; RAYS]),
-    answers: &mut [Q::Answer; RAYS],
+    (first, rays): (u32, &[Ray; N]),
+    answers: &mut [Q::Answer; N],
     stack: &mut Stack,
     diverged: &mut Diverged,
     counters: &mut C,
 ) -> Outcome {
     let any = const { matches!(Q::SEARCH, Search::First) };
-    let Some((mut packet, ends, fits)) = Packet::<S>::load(rays, task.padding) else {
+    let Some((mut packet, ends, fits)) = Packet::<S, R, N>::load(rays, task.padding) else {
         return Outcome::Incoherent;
     };
     if CUT {
@@ -108,17 +138,17 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters, const CUT: b
             return Outcome::Incoherent;
         }
     } else if !fits {
-        let rays = (first, rays);
+        let rays = (first, &rays[..]);
         return AxisAligned { task, rays, answers, stack, diverged, counters }.search();
     }
-    let of_formula = <P::Packs as Packs>::rays::<S>(&packet.origin, &packet.dir, &packet.inv_dir);
-    let mut budget = CoherenceBudget::new(task.large);
-    let zero = S::F16::splat(0.0);
-    let mut best = Best { t: ends, u: zero, v: zero, prim: [NONE; RAYS], hit: 0 };
+    let of_formula = <P::Packs as Packs>::rays::<R>(&packet.origin, &packet.dir, &packet.inv_dir);
+    let mut budget = CoherenceBudget::new(N, task.large);
+    let zero = R::splat(0.0);
+    let mut best = Best { t: ends, u: zero, v: zero, prim: [NONE; N], hit: 0 };
     let tree = task.tree;
     let Stack { entries, begins } = stack;
-    entries[0] = (Child::ROOT, ALL);
-    begins[0] = [f32::NEG_INFINITY; RAYS];
+    entries[0] = (Child::ROOT, all(N));
+    begins[0] = [f32::NEG_INFINITY; LARGEST_PACKET];
     let mut top = 1;
     let (mut lanes, mut entries_of) = ([0; PACK], [0.0; PACK]);
     let mut end = S::F8::splat(best.t.largest());
@@ -129,14 +159,14 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters, const CUT: b
         if any {
             active &= !best.hit;
         } else {
-            active &= S::F16::load(&begins[top % HEIGHT]).le(best.t).bits();
+            active &= R::load(row(&mut begins[top % HEIGHT])).le(best.t).bits();
         }
         if active == 0 {
             continue;
         }
         if !budget.pay(active) {
             best.answer(task.query, rays, answers);
-            let mut hits = [Hit::MISS; RAYS];
+            let mut hits = [Hit::MISS; N];
             best.write(&mut hits);
             let answered = if any { best.hit } else { 0 };
             stack.set_aside(top + 1, first, &hits, answered, any, diverged);
@@ -147,8 +177,8 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters, const CUT: b
                 counters.primitives(child.count() * active.count_ones());
             }
             let of_rays = (rays, &packet, &of_formula);
-            test_leaf::<S, P, Q>(task, of_rays, child, active, end, &mut best);
-            if any && best.hit == ALL {
+            test_leaf::<S, R, P, Q, N>(task, of_rays, child, active, end, &mut best);
+            if any && best.hit == all(N) {
                 break;
             }
             if !any {
@@ -173,7 +203,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters, const CUT: b
                 task.prefetch(child);
             }
             if !any {
-                near.store(&mut begins[top % HEIGHT]);
+                near.store(row(&mut begins[top % HEIGHT]));
             }
             top += usize::from(entering != 0);
         }
@@ -190,12 +220,12 @@ impl Stack {
         &self,
         height: usize,
         first: u32,
-        hits: &[Hit; RAYS],
+        hits: &[Hit],
         answered: u32,
         any: bool,
         diverged: &mut Diverged,
     ) {
-        for ray in ones(ALL & !answered) {
+        for ray in ones(all(hits.len()) & !answered) {
             let entries = self.entries[..height].iter().zip(&self.begins[..height]);
             let own = entries.filter(|((_, active), begins)| {
                 active >> ray & 1 != 0 && (any || begins[ray] <= hits[ray].t)
@@ -208,13 +238,17 @@ impl Stack {
 
 /// Tests the primitives of a leaf that the packet as a whole does not miss.
 #[inline(always)]
-fn test_leaf<S: Simd, P: Primitives, Q: Query>(
+fn test_leaf<S: Simd, R: Row<N>, P: Primitives, Q: Query, const N: usize>(
     task: &Task<'_, P, Q>,
-    (rays, packet, of_formula): (&[Ray; RAYS], &Packet<S>, &<P::Packs as Packs>::Rays<S>),
+    (rays, packet, of_formula): (
+        &[Ray; N],
+        &Packet<S, R, N>,
+        &<P::Packs as Packs>::Rays<R>,
+    ),
     leaf: Child,
     active: u32,
     end: S::F8,
-    best: &mut Best<S::F16>,
+    best: &mut Best<R, N>,
 ) {
     let (packs, block) = (task.packs, leaf.block());
     let boxes = Boxes::new::<S>(packs.boxes::<S>(block));
@@ -227,13 +261,13 @@ fn test_leaf<S: Simd, P: Primitives, Q: Query>(
     let mut active = active;
     let filled = u32::MAX >> (32 - leaf.count());
     for lane in ones(near.le(far).bits() & filled) {
-        let mut hits = packs.test_lane::<S>(block, lane, of_formula);
+        let mut hits = packs.test_lane::<R>(block, lane, of_formula);
         let inside = hits.inside.bits() & active;
         if inside == 0 {
             continue;
         }
         for ray in ones(hits.flat() & active) {
-            hits.replace(ray, packs.flat_hit(block, lane, &rays[ray % RAYS]));
+            hits.replace(ray, packs.flat_hit(block, lane, &rays[ray % N]));
         }
         let t = hits.t / hits.scale;
         let mut found = within(t, [packet.t_min, best.t]).bits() & inside;
@@ -243,7 +277,7 @@ fn test_leaf<S: Simd, P: Primitives, Q: Query>(
         let (t, counts) = packet.placed(&boxes, lane, t, best.t);
         found &= counts;
         if Q::FILTERS {
-            found = filtered::<S, P, Q>(task, rays, (block, lane), t, &hits, found);
+            found = filtered::<R, P, Q, N>(task, rays, (block, lane), t, &hits, found);
         }
         if const { matches!(Q::SEARCH, Search::First) } {
             best.hit |= found;
@@ -265,29 +299,29 @@ fn test_leaf<S: Simd, P: Primitives, Q: Query>(
         best.v = (hits.v / hits.scale).select(found, best.v);
         best.hit |= found;
         for ray in ones(found) {
-            best.prim[ray % RAYS] = prim;
+            best.prim[ray % N] = prim;
         }
     }
 }
 
 /// Those of some rays whose hit on a primitive the query accepts.
 #[inline(always)]
-fn filtered<S: Simd, P: Primitives, Q: Query>(
+fn filtered<R: Row<N>, P: Primitives, Q: Query, const N: usize>(
     task: &Task<'_, P, Q>,
-    rays: &[Ray; RAYS],
+    rays: &[Ray; N],
     (block, lane): (usize, usize),
-    t: S::F16,
-    hits: &PackHits<S::F16>,
+    t: R,
+    hits: &PackHits<R>,
     mut found: u32,
 ) -> u32 {
-    let as_best = Best::<S::F16> {
+    let as_best = Best::<R, N> {
         t,
         u: hits.u / hits.scale,
         v: hits.v / hits.scale,
-        prim: [task.packs.id(block, lane); RAYS],
+        prim: [task.packs.id(block, lane); N],
         hit: found,
     };
-    let mut own = [Hit::MISS; RAYS];
+    let mut own = [Hit::MISS; N];
     as_best.write(&mut own);
     for ray in ones(found) {
         if !task.query.accepts(&rays[ray], &own[ray]) {
@@ -297,11 +331,11 @@ fn filtered<S: Simd, P: Primitives, Q: Query>(
     found
 }
 
-impl<R: Row<RAYS>> Best<R> {
+impl<R: Row<N>, const N: usize> Best<R, N> {
     /// The answers of all rays.
     #[inline(always)]
-    fn answer<Q: Query>(&self, query: &Q, rays: &[Ray; RAYS], answers: &mut [Q::Answer; RAYS]) {
-        let mut hits = [Hit { t: 0.0, object: 0, prim: 0, u: 0.0, v: 0.0 }; RAYS];
+    fn answer<Q: Query>(&self, query: &Q, rays: &[Ray; N], answers: &mut [Q::Answer; N]) {
+        let mut hits = [Hit { t: 0.0, object: 0, prim: 0, u: 0.0, v: 0.0 }; N];
         if const { !matches!(Q::SEARCH, Search::First) } {
             self.write(&mut hits);
         }
@@ -313,8 +347,8 @@ impl<R: Row<RAYS>> Best<R> {
 
     /// The hits; of rays without one, the end of the search in their place.
     #[inline(always)]
-    fn write(&self, hits: &mut [Hit; RAYS]) {
-        let mut rows = [[0.0; RAYS]; 3];
+    fn write(&self, hits: &mut [Hit; N]) {
+        let mut rows = [[0.0; N]; 3];
         self.t.store(&mut rows[0]);
         self.u.store(&mut rows[1]);
         self.v.store(&mut rows[2]);

@@ -1,4 +1,4 @@
-//! Sixteen coherent rays as boxes see them: a ray in each lane, and what bounds all of them.
+//! A packet of coherent rays as boxes see it: a ray in each lane, and what bounds all of them.
 //!
 //! The slab test with the smallest and the largest of the rays' terms bounds that of every ray from
 //! below and above, because each of its operations is monotone.
@@ -11,26 +11,25 @@ use crate::simd::{Row, Simd};
 use super::node::{FAR, Node, near_planes};
 use super::slab_ray::{LARGEST_PRODUCT, SlabTerms};
 
-/// Rays of a packet.
-pub(super) const RAYS: usize = crate::simd::LANES;
+/// A bit for each of the lanes of a row.
+pub(super) const fn all(rays: usize) -> u32 {
+    u32::MAX >> (32 - rays)
+}
 
-/// A bit for each ray.
-pub(super) const ALL: u32 = (1 << RAYS) - 1;
-
-/// Sixteen rays of one octant, a ray in each lane.
-pub(super) struct Packet<S: Simd> {
-    pub(super) origin: Lanes3<S::F16>,
-    pub(super) dir: Lanes3<S::F16>,
-    pub(super) inv_dir: Lanes3<S::F16>,
+/// Rays of one octant, a ray in each lane.
+pub(super) struct Packet<S: Simd, R: Row<N>, const N: usize> {
+    pub(super) origin: Lanes3<R>,
+    pub(super) dir: Lanes3<R>,
+    pub(super) inv_dir: Lanes3<R>,
     /// The padded origins that near and far planes are measured from: `BoxRay`'s terms.
-    pub(super) near: Lanes3<S::F16>,
-    pub(super) far: Lanes3<S::F16>,
+    pub(super) near: Lanes3<R>,
+    pub(super) far: Lanes3<R>,
     /// The factors of [`Row::slab`]: `inv_dir`, but where they are cut.
-    pub(super) slab_inv_dir: Lanes3<S::F16>,
+    pub(super) slab_inv_dir: Lanes3<R>,
     /// The offsets of [`Row::slab`].
-    pub(super) near_offset: Lanes3<S::F16>,
-    pub(super) far_offset: Lanes3<S::F16>,
-    pub(super) t_min: S::F16,
+    pub(super) near_offset: Lanes3<R>,
+    pub(super) far_offset: Lanes3<R>,
+    pub(super) t_min: R,
     pub(super) octant: u32,
     pub(super) hull: Hull<S>,
 }
@@ -45,21 +44,21 @@ pub(super) struct Hull<S: Simd> {
     pub(super) t_min: S::F8,
 }
 
-impl<S: Simd> Packet<S> {
-    /// Lays out sixteen rays, or returns `None` if their directions are not all of one octant. Also
+impl<S: Simd, R: Row<N>, const N: usize> Packet<S, R, N> {
+    /// Lays out rays, or returns `None` if their directions are not all of one octant. Also
     /// returns the rays' ends, and whether the usual terms will do: else they must be
     /// [`cut`](Self::cut).
     #[inline(always)]
-    pub(super) fn load(rays: &[Ray; RAYS], padding: Padding) -> Option<(Self, S::F16, bool)> {
-        let rows = S::transpose(&rays.map(|ray| ray.to_array()));
+    pub(super) fn load(rays: &[Ray; N], padding: Padding) -> Option<(Self, R, bool)> {
+        let rows = R::of_records(&rays.map(|ray| ray.to_array()));
         let (origin, dir) = ([rows[0], rows[1], rows[2]], [rows[4], rows[5], rows[6]]);
-        let (one, zero) = (S::F16::splat(1.0), S::F16::splat(0.0));
+        let (one, zero) = (R::splat(1.0), R::splat(0.0));
         let inv_dir = [one / dir[0], one / dir[1], one / dir[2]];
         let mut octant = 0;
         let mut mixed = false;
         for (axis, inv) in inv_dir.iter().enumerate() {
             let backwards = inv.le(zero).bits();
-            mixed |= backwards != 0 && backwards != ALL;
+            mixed |= backwards != 0 && backwards != all(N);
             octant |= (backwards & 1) << axis;
         }
         let pad = padding.of_rays(origin[0].abs().max(origin[1].abs()).max(origin[2].abs()));
@@ -82,29 +81,29 @@ impl<S: Simd> Packet<S> {
             },
         };
         packet.hull.t_min = S::F8::splat(packet.t_min.smallest());
-        let mut fits = ALL;
+        let mut fits = all(N);
         for axis in 0..3 {
             let (plus, minus) = (origin[axis] + pad, origin[axis] - pad);
             let backwards = octant >> axis & 1 != 0;
             let (near, far) = if backwards { (minus, plus) } else { (plus, minus) };
             let terms = SlabTerms { inv_dir: inv_dir[axis], near, far };
             let product = padding.reach(origin[axis], pad) * inv_dir[axis].abs();
-            fits &= product.le(S::F16::splat(LARGEST_PRODUCT)).bits();
+            fits &= product.le(R::splat(LARGEST_PRODUCT)).bits();
             packet.near[axis] = near;
             packet.far[axis] = far;
             packet.set_slab(axis, terms, product);
         }
         // An end that is no number would be the end of all.
-        if mixed || rows[3].le(rows[7]).bits() != ALL {
+        if mixed || rows[3].le(rows[7]).bits() != all(N) {
             return None;
         }
-        Some((packet, rows[7], fits == ALL))
+        Some((packet, rows[7], fits == all(N)))
     }
 
     /// Notes the terms of the slab test of an axis; `product` is the reach times the inverse
     /// direction.
     #[inline(always)]
-    pub(super) fn set_slab(&mut self, axis: usize, terms: SlabTerms<S::F16>, product: S::F16) {
+    pub(super) fn set_slab(&mut self, axis: usize, terms: SlabTerms<R>, product: R) {
         let SlabTerms { inv_dir, near, far } = terms;
         self.slab_inv_dir[axis] = inv_dir;
         (self.near_offset[axis], self.far_offset[axis]) = terms.offsets::<S>(product);
@@ -125,8 +124,8 @@ impl<S: Simd> Packet<S> {
     pub(super) fn cut(&mut self, padding: Padding) -> bool {
         let origin = &self.origin;
         let pad = padding.of_rays(origin[0].abs().max(origin[1].abs()).max(origin[2].abs()));
-        let zero = S::F16::splat(0.0);
-        let (mut bounded, mut gives_bound) = (ALL, 0);
+        let zero = R::splat(0.0);
+        let (mut bounded, mut gives_bound) = (all(N), 0);
         for axis in 0..3 {
             let reach = padding.reach(self.origin[axis], pad);
             bounded &= zero.le(reach * self.inv_dir[axis].abs()).bits();
@@ -138,7 +137,7 @@ impl<S: Simd> Packet<S> {
             self.inv_dir[axis] = inv_dir;
             self.set_slab(axis, cut.terms, cut.product);
         }
-        bounded & gives_bound == ALL
+        bounded & gives_bound == all(N)
     }
 
     /// The rows of [`Boxes`] that hold the near planes; the far ones are beside them.
@@ -161,13 +160,13 @@ impl<S: Simd> Packet<S> {
 
     /// Where each ray meets a child's plane along an axis.
     #[inline(always)]
-    pub(super) fn slab(&self, plane: f32, axis: usize, offsets: &Lanes3<S::F16>) -> S::F16 {
-        S::F16::slab(S::F16::splat(plane), self.slab_inv_dir[axis], offsets[axis])
+    pub(super) fn slab(&self, plane: f32, axis: usize, offsets: &Lanes3<R>) -> R {
+        R::slab(R::splat(plane), self.slab_inv_dir[axis], offsets[axis])
     }
 
     /// Where each ray enters and leaves a box.
     #[inline(always)]
-    pub(super) fn interval(&self, node: &Node, lane: usize, end: S::F16) -> (S::F16, S::F16) {
+    pub(super) fn interval(&self, node: &Node, lane: usize, end: R) -> (R, R) {
         let [x, y, z] = near_planes(self.octant);
         let (near, far) = (&self.near_offset, &self.far_offset);
         let begin =
@@ -185,8 +184,8 @@ impl<S: Simd> Packet<S> {
 
     /// A product of `BoxRay::interval`: of the near planes, or of the far ones.
     #[inline(always)]
-    pub(super) fn product(&self, plane: f32, origin: &Lanes3<S::F16>, axis: usize) -> S::F16 {
-        crossing(S::F16::splat(plane), origin[axis], self.inv_dir[axis])
+    pub(super) fn product(&self, plane: f32, origin: &Lanes3<R>, axis: usize) -> R {
+        crossing(R::splat(plane), origin[axis], self.inv_dir[axis])
     }
 
     /// Where hits that the formula puts at `t` count, and which do before `end`, by a primitive's own box:
@@ -196,9 +195,9 @@ impl<S: Simd> Packet<S> {
         &self,
         boxes: &Boxes,
         lane: usize,
-        t: S::F16,
-        end: S::F16,
-    ) -> (S::F16, u32) {
+        t: R,
+        end: R,
+    ) -> (R, u32) {
         let [x, y, z] = self.near_rows();
         let (near, far) = (&self.near, &self.far);
         let begin = self

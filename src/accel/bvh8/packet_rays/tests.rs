@@ -4,9 +4,9 @@ use super::super::node::Child;
 use super::super::slab_ray::tests::STILL;
 use super::*;
 use crate::math::{Aabb, BoxRay, Random};
-use crate::simd::{Kernel, dispatch};
+use crate::simd::{Kernel, LARGEST_PACKET as RAYS, PacketKernel, dispatch};
 
-/// Whether sixteen rays make a packet.
+/// Whether the first of some rays, as many as a packet has, make one.
 struct Makes<'a>(&'a [Ray; RAYS], Padding);
 
 impl Kernel for Makes<'_> {
@@ -14,16 +14,27 @@ impl Kernel for Makes<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> bool {
-        let packet = Packet::<S>::load(self.0, self.1);
+        S::in_packets(self)
+    }
+}
+
+impl PacketKernel for Makes<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<S: Simd, R: Row<N>, const N: usize>(self) -> bool {
+        let rays = self.0.first_chunk().expect("the largest packet");
+        let packet = Packet::<S, R, N>::load(rays, self.1);
         packet.is_some_and(|(mut packet, _, fits)| fits || packet.cut(self.1))
     }
 }
 
-/// For each child, where each of sixteen rays enters and leaves it, and what bounds these.
+/// For each child, where each ray of a packet enters and leaves it, and what bounds these.
 struct Intervals<'a>(&'a [Ray; RAYS], &'a Node, Padding);
 
 /// The intervals of a kernel in a node: for each child and ray, and for each child.
 struct Met {
+    rays: usize,
     of_rays: [[[f32; RAYS]; 2]; PACK],
     of_all: [[f32; PACK]; 2],
 }
@@ -33,16 +44,27 @@ impl Kernel for Intervals<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Option<Met> {
+        S::in_packets(self)
+    }
+}
+
+impl PacketKernel for Intervals<'_> {
+    type Output = Option<Met>;
+
+    #[inline(always)]
+    fn run<S: Simd, R: Row<N>, const N: usize>(self) -> Option<Met> {
         let Self(rays, node, padding) = self;
-        let (mut packet, ends, fits) = Packet::<S>::load(rays, padding)?;
+        let rays = rays.first_chunk().expect("the largest packet");
+        let (mut packet, ends, fits) = Packet::<S, R, N>::load(rays, padding)?;
         if !fits && !packet.cut(padding) {
             return None;
         }
-        let mut met = Met { of_rays: [[[0.0; RAYS]; 2]; PACK], of_all: [[0.0; PACK]; 2] };
+        let of_rays = [[[0.0; RAYS]; 2]; PACK];
+        let mut met = Met { rays: N, of_rays, of_all: [[0.0; PACK]; 2] };
         for (lane, [begins, leaves]) in met.of_rays.iter_mut().enumerate() {
             let (begin, leave) = packet.interval(node, lane, ends);
-            begin.store(begins);
-            leave.store(leaves);
+            begin.store(begins.first_chunk_mut().expect("the largest packet"));
+            leave.store(leaves.first_chunk_mut().expect("the largest packet"));
         }
         let (begin, leave) = packet.hull_of_node(node, S::F8::splat(ends.largest()));
         begin.store(&mut met.of_all[0]);
@@ -83,7 +105,7 @@ fn intervals_of_packets_contain_what_is_accepted() {
         });
         let met = dispatch(Intervals(&rays, &node, padding)).expect("a packet");
         for (lane, [begins, leaves]) in met.of_rays.iter().enumerate() {
-            for (number, ray) in rays.iter().enumerate() {
+            for (number, ray) in rays.iter().enumerate().take(met.rays) {
                 let own = BoxRay::new(ray, padding).interval(&node.child_bounds(lane));
                 if own.0 > own.1 {
                     continue;
