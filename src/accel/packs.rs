@@ -70,11 +70,7 @@ pub trait Packs: Sync {
     );
 
     /// Several rays, by their origins, directions, and 1/direction.
-    fn rays<R: Lanes>(
-        origin: &Lanes3<R>,
-        dir: &Lanes3<R>,
-        inv_dir: &Lanes3<R>,
-    ) -> Self::Rays<R>;
+    fn rays<R: Lanes>(origin: &Lanes3<R>, dir: &Lanes3<R>, inv_dir: &Lanes3<R>) -> Self::Rays<R>;
 
     /// One ray against the eight primitives of a pack.
     fn test_pack<S: Simd>(&self, pack: usize, ray: &Self::Ray) -> PackHits<S::F8>;

@@ -13,9 +13,7 @@ use rayon::prelude::*;
 use crate::accel::{Bounded, PACK, PackHits, Packs, Primitives, Query, Search};
 use crate::counters::Counters;
 use crate::math::slab::not_before;
-use crate::math::{
-    Aabb, BoxRay, Hit, Lanes, Lanes3, Mask as _, NONE, Padding, Ray, ones, within,
-};
+use crate::math::{Aabb, BoxRay, Hit, Lanes, Lanes3, Mask as _, NONE, Padding, Ray, ones, within};
 use crate::simd::{Row, Simd, prefetch};
 
 use self::pack::{PRIM, Pack, load3, pack, packs_of};
@@ -289,11 +287,7 @@ impl Packs for TriangleSet {
     }
 
     #[inline(always)]
-    fn rays<R: Lanes>(
-        origin: &Lanes3<R>,
-        dir: &Lanes3<R>,
-        inv_dir: &Lanes3<R>,
-    ) -> TriangleRays<R> {
+    fn rays<R: Lanes>(origin: &Lanes3<R>, dir: &Lanes3<R>, inv_dir: &Lanes3<R>) -> TriangleRays<R> {
         TriangleRays::new(origin, dir, inv_dir)
     }
 
@@ -309,12 +303,7 @@ impl Packs for TriangleSet {
     }
 
     #[inline(always)]
-    fn test_lane<R: Lanes>(
-        &self,
-        pack: usize,
-        lane: usize,
-        rays: &TriangleRays<R>,
-    ) -> PackHits<R> {
+    fn test_lane<R: Lanes>(&self, pack: usize, lane: usize, rays: &TriangleRays<R>) -> PackHits<R> {
         let pack = &self.packs[pack];
         let places = rays.arrange(|corner, axis| pack.coordinate(corner, axis as usize, lane));
         scaled_hit(&rays.sheared, places)

@@ -5,16 +5,24 @@
 /// spent, the rays are better off in waves.
 pub(super) struct CoherenceBudget {
     rays: u32,
+    /// The most that can be saved for visits by few.
     most: u32,
     price: u32,
 }
 
 impl CoherenceBudget {
-    /// What a packet of so many rays starts with, and the most that it can save for visits by few.
-    /// A packet waits for memory at each visit; a wave waits for all of its rays at once.
+    /// The most that can be saved beyond the rays of one visit.
+    const SAVED: u32 = 16;
+
+    /// What a packet waits for memory at each visit, where nodes and packs are far away; a wave waits for all of its
+    /// rays at once.
+    const PRICE_OF_MEMORY: u32 = 12;
+
+    /// What a packet of so many rays starts with.
     pub(super) fn new(rays: usize, large: bool) -> Self {
-        let most = rays as u32 + 16;
-        Self { rays: most, most, price: if large { rays as u32 * 3 / 4 } else { rays as u32 / 8 + 2 } }
+        let most = rays as u32 + Self::SAVED;
+        let price = if large { Self::PRICE_OF_MEMORY } else { 2 + rays as u32 / 8 };
+        Self { rays: most, most, price }
     }
 
     /// Pays for a visit by some rays; returns whether the budget had enough.

@@ -32,10 +32,7 @@ pub(super) struct Stack {
 
 impl Default for Stack {
     fn default() -> Self {
-        Self {
-            entries: [(Child::ABSENT, 0); HEIGHT],
-            begins: [[0.0; LARGEST_PACKET]; HEIGHT],
-        }
+        Self { entries: [(Child::ABSENT, 0); HEIGHT], begins: [[0.0; LARGEST_PACKET]; HEIGHT] }
     }
 }
 
@@ -240,11 +237,7 @@ impl Stack {
 #[inline(always)]
 fn test_leaf<S: Simd, R: Row<N>, P: Primitives, Q: Query, const N: usize>(
     task: &Task<'_, P, Q>,
-    (rays, packet, of_formula): (
-        &[Ray; N],
-        &Packet<S, R, N>,
-        &<P::Packs as Packs>::Rays<R>,
-    ),
+    (rays, packet, of_formula): (&[Ray; N], &Packet<S, R, N>, &<P::Packs as Packs>::Rays<R>),
     leaf: Child,
     active: u32,
     end: S::F8,

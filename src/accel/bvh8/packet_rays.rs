@@ -191,13 +191,7 @@ impl<S: Simd, R: Row<N>, const N: usize> Packet<S, R, N> {
     /// Where hits that the formula puts at `t` count, and which do before `end`, by a primitive's own box:
     /// [`BoxRay::begin`](crate::math::BoxRay::begin).
     #[inline(always)]
-    pub(super) fn placed(
-        &self,
-        boxes: &Boxes,
-        lane: usize,
-        t: R,
-        end: R,
-    ) -> (R, u32) {
+    pub(super) fn placed(&self, boxes: &Boxes, lane: usize, t: R, end: R) -> (R, u32) {
         let [x, y, z] = self.near_rows();
         let (near, far) = (&self.near, &self.far);
         let begin = self
