@@ -328,13 +328,24 @@ impl<R: Row<N>, const N: usize> Best<R, N> {
     /// The answers of all rays.
     #[inline(always)]
     fn answer<Q: Query>(&self, query: &Q, rays: &[Ray; N], answers: &mut [Q::Answer; N]) {
-        let mut hits = [Hit { t: 0.0, object: 0, prim: 0, u: 0.0, v: 0.0 }; N];
-        if const { !matches!(Q::SEARCH, Search::First) } {
-            self.write(&mut hits);
+        let (mut t, mut u, mut v) = ([0.0; N], [0.0; N], [0.0; N]);
+        let mut object = [0; N];
+        if const { matches!(Q::SEARCH, Search::First) } {
+            for (ray, object) in object.iter_mut().enumerate() {
+                *object = if self.hit >> ray & 1 != 0 { 0 } else { NONE };
+            }
+        } else {
+            self.t.select(self.hit, R::splat(Hit::MISS.t)).store(&mut t);
+            self.u.store(&mut u);
+            self.v.store(&mut v);
+            for (object, prim) in object.iter_mut().zip(self.prim) {
+                *object = if prim == NONE { NONE } else { 0 };
+            }
         }
         for (ray, answer) in answers.iter_mut().enumerate() {
-            let found = if self.hit >> ray & 1 != 0 { &hits[ray] } else { &Hit::MISS };
-            *answer = query.of_one(&rays[ray], found);
+            let (prim, object) = (self.prim[ray], object[ray]);
+            let found = Hit { t: t[ray], object, prim, u: u[ray], v: v[ray] };
+            *answer = query.of_one(&rays[ray], &found);
         }
     }
 
