@@ -55,8 +55,8 @@ fn compare<A: Accel>(mesh: &Mesh, rays: &[Ray], all: &[Vec<Hit>]) {
 #[test]
 fn all_hits_and_filtered_hits_are_the_same_in_every_structure() {
     for mesh in nasty_meshes::all() {
-        let mut rays = rays_at(&mesh, 2_000, 5);
-        rays.extend(bundles_around(&rays[..40]));
+        let mut rays = rays_at(&mesh, 2_048, 5);
+        rays.extend(bundles_around(&rays[..20]));
         let all = answers::<Exhaustive, _>(&mesh, AllHits, &rays);
         let several = all.iter().filter(|hits| hits.len() > 1).count();
         assert!(mesh.triangles.len() < 3 || several > 20, "{}: {several}", mesh.name);

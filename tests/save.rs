@@ -70,7 +70,7 @@ fn check_round_trip<A: Portable>() {
         cfg!(debug_assertions) && A::NAME == CompressedWideBvh::NAME && mesh.name == "nested"
     };
     for mesh in meshes.iter().filter(|mesh| !is_too_deep(mesh)) {
-        let rays = rays_of_all_kinds(mesh, 400);
+        let rays = rays_of_all_kinds(mesh, 416);
         for quality in [Quality::Fastest, Quality::Medium, Quality::Slow] {
             let index = built::<A>(mesh, quality);
             let bytes = saved(&index);

@@ -29,15 +29,18 @@ pub fn rays_at(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
         .collect()
 }
 
-/// Sixteen rays for each of some: itself, twice, and others around it, near and less near. These go
-/// together where a structure traces packets.
+/// Rays of a bundle: as many as a structure has in a packet, or a multiple of them.
+pub const BUNDLE: usize = 32;
+
+/// A bundle of rays for each of some: itself, twice, and others around it, near and less near. These go
+/// together where a structure traces packets, if those before them fill packets.
 #[must_use]
 pub fn bundles_around(rays: &[Ray]) -> Vec<Ray> {
     let mut random = Random::new(&[7]);
-    let mut bundles = Vec::with_capacity(16 * rays.len());
+    let mut bundles = Vec::with_capacity(BUNDLE * rays.len());
     for (number, ray) in rays.iter().enumerate() {
         let spread = [0.0, 1e-7, 1e-4, 1e-2, 0.2][number % 5];
-        for copy in 0..16 {
+        for copy in 0..BUNDLE {
             let mut near = *ray;
             if copy > 1 {
                 let length = ray.dir.length().min(1e18);

@@ -23,7 +23,7 @@ use super::summary::Summary;
 const RAYS: usize = 2_000;
 
 /// Where the second slice ends; the first is one ray, which shows how slow a structure is. Each following one has twice
-/// as many rays, so that slices of many lengths are traced, and begins where sixteen rays that go together do.
+/// as many rays, so that slices of many lengths are traced, and begins where rays that go together do.
 const SECOND_END: usize = 16;
 
 /// Triangles, in packs or one by one.
@@ -165,7 +165,7 @@ impl MadeRays {
     fn slice_from(&mut self, from: usize) -> Option<Range<usize>> {
         if from == self.rays.len() && !self.has_cut {
             let hits: Vec<Hit> = self.expected[..RAYS].iter().map(|answer| answer.hit).collect();
-            // Last, because their number is any: the others go together by sixteens.
+            // Last, because their number is any: the others go together in bundles.
             self.rays.extend(rays_cut_at_hits(&self.rays[..RAYS], &hits));
             self.has_cut = true;
         }

@@ -127,7 +127,7 @@ fn in_several_octants<const N: usize>(rays: &[Ray; N]) -> bool {
     (differ(b) | differ(c) | differ(d)) >> 31 != 0
 }
 
-/// The search for rays that do not make packets: compiled by itself, because constants of sixteen lanes
+/// The search for rays that do not make packets: compiled by itself, because constants of packets' lanes
 /// in the same function would keep a processor's second unit for eight lanes from work (Intel).
 struct Waves<'a, P: Primitives, Q: Query, C> {
     task: &'a Task<'a, P, Q>,

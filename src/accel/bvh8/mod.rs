@@ -9,7 +9,7 @@
 //! move, the boxes follow (`refit.rs`).
 //!
 //! * *Idea*: What a ray costs is mostly waiting: for the next node, for a branch. Eight boxes are tested by one
-//!   instruction, sixteen rays go together where they can, and where they cannot others are searched meanwhile.
+//!   instruction, 16 or 32 rays go together where they can, and where they cannot others are searched meanwhile.
 //! * *Papers*: Dammertz, Hanika, Keller: *Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent
 //!   Rays*, 2008, for wide nodes; Fuetterling, Lojewski, Pfreundt, Ebert: *Efficient Ray Tracing Kernels for Modern CPU
 //!   Architectures*, 2015, for streams of rays; Ylitie, Karras, Laine, 2017, for the collapse.

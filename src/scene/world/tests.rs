@@ -11,9 +11,10 @@ use crate::description::{
 };
 use crate::math::{Color, Hit, Random};
 use crate::shapes::{Ball, Cylinder, Single, Triangle};
+use crate::simd::LARGEST_PACKET;
 
-/// Groups of sixteen rays; fewer for an interpreter.
-const GROUPS: usize = if cfg!(miri) { 12 } else { 64 };
+/// Groups of rays, each as many as the largest packet has; fewer for an interpreter.
+const GROUPS: usize = if cfg!(miri) { 8 } else { 64 };
 
 fn point(random: &mut Random) -> Vec3 {
     Vec3::from_array(std::array::from_fn(|_| 2.0 * random.next_f32() - 1.0))
@@ -54,7 +55,7 @@ fn mesh() -> Shape {
     Shape::Mesh { mesh: 0, normals: Normals::Flat }
 }
 
-/// Groups of sixteen, from those that stay together to those that never were, and a few more: along
+/// Groups of rays, from those that stay together to those that never were, and a few more: along
 /// an axis, with an end, and fewer than a group.
 fn rays() -> Vec<Ray> {
     let mut random = Random::new(&[2]);
@@ -63,7 +64,7 @@ fn rays() -> Vec<Ray> {
         let spread = [0.001, 0.1, 0.4, 2.0][group % 4];
         let origin = 3.0 * point(&mut random);
         let target = 0.5 * point(&mut random);
-        for _ in 0..16 {
+        for _ in 0..LARGEST_PACKET {
             let aim = target + spread * point(&mut random);
             let end = [f32::MAX, 1.0][random.below(2) as usize];
             rays.push(Ray { t_max: end, ..Ray::new(origin, aim - origin) });

@@ -11,8 +11,8 @@ use srt::math::{Hit, Ray};
 use srt::scene::{STRUCTURES, Scene, Structure};
 use srt_fuzz::small_scene::{SmallScene, takes};
 
-/// How many of the rays are also made bundles of, sixteen each.
-const BUNDLES: usize = 3;
+/// How many of the rays are also made bundles of.
+const BUNDLES: usize = 2;
 
 fuzz_target!(
     init: {
