@@ -87,13 +87,21 @@ impl<R> Slot<R> {
         self.far[ENTRIES] = f32::from_bits(height as u32);
     }
 
-    /// The best hit.
+    /// The best hit. By arithmetic: whether there is one cannot be foreseen.
     #[inline(always)]
     pub(super) fn hit(&self) -> Hit {
-        if self.prim == NONE {
-            return Hit::MISS;
+        // All bits, or none.
+        let is_hit = u32::from(self.prim == NONE).wrapping_sub(1);
+        let or_else = |found: f32, miss: f32| {
+            f32::from_bits(found.to_bits() & is_hit | miss.to_bits() & !is_hit)
+        };
+        Hit {
+            t: or_else(self.end(), Hit::MISS.t),
+            object: !is_hit,
+            prim: self.prim,
+            u: or_else(self.u, Hit::MISS.u),
+            v: or_else(self.v, Hit::MISS.v),
         }
-        Hit { t: self.end(), object: 0, prim: self.prim, u: self.u, v: self.v }
     }
 
     /// Takes a hit that is no farther than the best one if it is the better one.
