@@ -5,6 +5,7 @@
 //! that nothing a primitive's own box accepts is skipped (see [`Accel`]). For the fine meshes that
 //! a ball is meant for the two radii agree to within the size of a triangle.
 //!
+//! * *Idea*: What misses a ball around the whole misses each of its parts.
 //! * *Paper*: Clark: *Hierarchical Geometric Models for Visible Surface Algorithms*, 1976, for the idea; Rubin,
 //!   Whitted:
 //!   *A 3-dimensional representation for fast rendering of complex scenes*, 1980, for rays.
@@ -12,6 +13,7 @@
 //! * *A ray*: one ball, and all n primitives if it is met.
 //! * *Memory*: 16 bytes.
 //! * *It wins*: over `none` where most rays miss the mesh. Over a tree never but for a few primitives.
+//! * *Picture*: `docs/gallery/cells-ball.png`.
 
 use std::io;
 use std::ops::{ControlFlow, Range};

@@ -1,16 +1,18 @@
 //! obvhs's compressed eight-wide tree, walked by this project's own slab test.
 //!
-//! Ylitie, Karras, Laine: *Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
-//! BVHs*, 2017. The children's boxes of a node are stored as bytes on a grid over the node's box.
 //! obvhs's own traversal starts every box at t = 10⁻⁴, prunes without padding and holds 32 stack
 //! entries; the walk below tests the decoded boxes by the common slab formula, with the padding
 //! doubled for what the grid's arithmetic rounds, on a stack that grows with the tree.
 //!
+//! * *Idea*: A ray waits for memory, so nodes are made small: the boxes of eight children are stored as bytes on a grid
+//!   over the node's box.
+//! * *Paper*: Ylitie, Karras, Laine: *Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs*, 2017.
 //! * *Build*: that of the binary tree (`builder=`), and O(n) for the collapse.
 //! * *A ray*: O(log n) nodes in the mean, up to eight boxes each, which are decoded as they are read.
 //! * *Memory*: 80 bytes a node of up to eight children, a third of what `bvh` takes; leaves hold up to three.
 //! * *It wins*: in memory, where the caches are what a ray waits for; it was made for GPUs. In the caches, what
 //!   decoding costs is about what the narrower tree costs.
+//! * *Picture*: `docs/gallery/cells-cwbvh.png`.
 
 mod save;
 

@@ -13,6 +13,7 @@
 //! * *It wins*: where primitives are of one size and spread evenly, and over a kd-tree by its short
 //!   build. It loses where they are not: a detailed model in a large hall lies in few cells ("the
 //!   teapot in the stadium").
+//! * *Picture*: `docs/gallery/cells-grid.png`.
 //!
 //! The rules for cells at [`Accel`] make it return the hits of all others: a primitive is listed in each
 //! cell that its *box* touches, and `cells/walk.rs` has the proof that each cell is visited whose padded

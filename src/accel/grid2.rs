@@ -11,6 +11,7 @@
 //!   reference of a coarse cell; 40 bytes a reference to a triangle, which is a copy.
 //! * *It wins*: over a grid, where primitives are not spread evenly, and over a kd-tree by its short
 //!   build. Where a grid fits, it loses by what each walk through a few cells costs to begin.
+//! * *Picture*: `docs/gallery/cells-grid2.png`.
 //!
 //! The rules for cells at [`Accel`] make it return the hits of all others: a primitive is listed in each
 //! fine cell that its *box* touches, and these cover what they are parts of. `cells/walk.rs` has the proof

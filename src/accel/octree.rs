@@ -9,6 +9,7 @@
 //!   limited by the option `references`.
 //! * *It wins*: over a grid, where primitives lie in clusters. It loses to a kd-tree, whose planes go
 //!   where they pay.
+//! * *Picture*: `docs/gallery/cells-octree.png`.
 //!
 //! The rules for cells at [`Accel`] make it return the hits of all others: a primitive is listed in each
 //! cell that its *box* touches, planes are measured with the padding, and the search ends by the

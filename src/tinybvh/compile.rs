@@ -17,7 +17,8 @@ const WRAPPER: &str = "tinybvh-rs";
 const INSIDE: &str = "ffi/tinybvh";
 const HEADER: &str = "tiny_bvh.h";
 const SHIM: &str = "src/tinybvh/shim.cpp";
-/// What the header is compiled for: its eight-wide search needs both.
+/// What the header is compiled for: its eight-wide search needs both. It has constants that are computed as the program
+/// starts, so a program with it needs such a processor from then on.
 const FLAGS: [&str; 3] = ["-O3", "-mavx2", "-mfma"];
 /// What the structure is called where it can be built, and where not: see `scene/structures.rs`.
 const NAME: &str = "SRT_TINYBVH";
@@ -51,41 +52,8 @@ pub(super) fn compile() -> Result<(), String> {
     } else {
         build.flags(FLAGS);
     }
-    if is_for("CARGO_CFG_TARGET_OS", "linux") {
-        build.define("SRT_START_LATER", None);
-        let assembly = without_start(&build)?;
-        // What assembles it needs no flags, and links C++'s library.
-        cc::Build::new().cpp(true).file(assembly).compile("srt_tinybvh");
-    } else {
-        build.file(SHIM).compile("srt_tinybvh");
-    }
+    build.file(SHIM).compile("srt_tinybvh");
     Ok(())
-}
-
-/// The shim as assembly that does nothing as the program starts.
-///
-/// The header has constants that are computed then, with instructions of AVX2: where a processor lacks them, a program
-/// that never traces with tinybvh would end, too. So the address of that function is no longer in the list of those
-/// that are called as the program starts; the shim calls it before the first build.
-fn without_start(build: &cc::Build) -> Result<PathBuf, String> {
-    let out = PathBuf::from(env::var_os("OUT_DIR").ok_or("cargo sets no OUT_DIR")?);
-    let assembly = out.join("shim.s");
-    let mut compiler = build.try_get_compiler().map_err(|error| error.to_string())?.to_command();
-    let run = compiler.arg("-S").arg(SHIM).arg("-o").arg(&assembly).status();
-    let status = run.map_err(|error| format!("{compiler:?}: {error}"))?;
-    if !status.success() {
-        return Err(format!("{compiler:?}: {status}"));
-    }
-    let text = fs::read_to_string(&assembly).map_err(|error| error.to_string())?;
-    let is_start = |line: &&str| line.trim_start().starts_with(".section\t.init_array,");
-    if text.lines().filter(is_start).count() != 1 {
-        return Err(format!("{}: expected one list of functions to start", assembly.display()));
-    }
-    let own = "\t.section .data.rel.ro,\"aw\"\n\t.balign 8\n\t.globl srt_tinybvh_start\nsrt_tinybvh_start:";
-    let line = |line: &str| format!("{}\n", if is_start(&line) { own } else { line });
-    let text: String = text.lines().map(line).collect();
-    fs::write(&assembly, text).map_err(|error| error.to_string())?;
-    Ok(assembly)
 }
 
 /// The folder of the header.

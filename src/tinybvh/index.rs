@@ -2,7 +2,6 @@
 
 use std::ffi::c_void;
 use std::ptr;
-use std::sync::Once;
 
 use crate::math::{Hit, Ray};
 
@@ -18,7 +17,6 @@ const DEEP: u32 = 2;
 const LARGE: u32 = 3;
 
 unsafe extern "C" {
-    fn srt_tinybvh_initialize();
     fn srt_tinybvh_build(
         corners: *const f32,
         triangles: u32,
@@ -44,7 +42,8 @@ unsafe impl Send for Index {}
 unsafe impl Sync for Index {}
 
 impl Index {
-    /// Whether this processor has what the tree needs.
+    /// Whether this processor has what the tree needs. With a header that computes constants for it as the program
+    /// starts, one without has ended it before.
     pub(super) fn check_processor() -> Result<(), TinyBvhError> {
         let fits = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
         if fits { Ok(()) } else { Err(TinyBvhError::Processor) }
@@ -56,10 +55,7 @@ impl Index {
         quality: Quality,
         threads: usize,
     ) -> Result<Self, TinyBvhError> {
-        static START: Once = Once::new();
         Self::check_processor()?;
-        // SAFETY: the processor has what it is compiled for; it is called once.
-        START.call_once(|| unsafe { srt_tinybvh_initialize() });
         let triangles = corners.len() / 3;
         if triangles > MOST {
             return Err(TinyBvhError::Large { triangles });

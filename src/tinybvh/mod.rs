@@ -2,10 +2,9 @@
 //! ray.
 //!
 //! Jacco Bikker's [tinybvh](https://github.com/jbikker/tinybvh) (MIT) is one C++ header. `compile.rs` compiles it as a
-//! part of `build.rs`, together with `shim.cpp`, for AVX2 and FMA, which its tree needs; what the processor has is
-//! looked at as a scene is built. With `simd` and `embree` the only layer with unsafe code, all of it calls of the
-//! shim. Knows nothing of scenes: triangles and rays in, hits out. Its formulas are its own, so its hits are close to
-//! those of the structures, and not equal to them.
+//! part of `build.rs`, together with `shim.cpp`, for AVX2 and FMA, which its tree needs. With `simd` and `embree` the
+//! only layer with unsafe code, all of it calls of the shim. Knows nothing of scenes: triangles and rays in, hits out.
+//! Its formulas are its own, so its hits are close to those of the structures, and not equal to them.
 //!
 //! Where other libraries return an error, this one ends the process, or writes beyond a stack. So what it does not take
 //! is refused beforehand: a tree that is too deep for its stacks, or larger than its index can be.

@@ -101,14 +101,6 @@ inline bool prepare( const Query& query, Ray& ray, float& length )
 
 } // namespace
 
-// What the constructors of this file would do as the program starts, with AVX2: `compile.rs` puts it here.
-#ifdef SRT_START_LATER
-extern "C" void (*srt_tinybvh_start[1])();
-extern "C" void srt_tinybvh_initialize() { srt_tinybvh_start[0](); }
-#else
-extern "C" void srt_tinybvh_initialize() {}
-#endif
-
 extern "C" uint32_t srt_tinybvh_build( const float* corners, uint32_t triangles, bool hq, uint32_t threads, void** built )
 {
 	BVH8_CPU* tree = 0;

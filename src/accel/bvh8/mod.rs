@@ -17,6 +17,7 @@
 //! * *A ray*: O(log n) nodes in the mean, eight boxes each at once.
 //! * *Memory*: 256 bytes a node; 320 a leaf of eight triangles, which is the triangles themselves.
 //! * *It wins*: wherever rays come in slices. Single rays are better off with `bvh`.
+//! * *Picture*: `docs/gallery/cells-bvh8.png`.
 
 mod coherence;
 mod collapse;

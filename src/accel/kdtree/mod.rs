@@ -13,6 +13,7 @@
 //! * *It wins*: where large empty parts lie between, and rays are to stop early: on closed scans it is
 //!   as fast as `bvh` ray by ray. It loses where boxes overlap much, since primitives have references
 //!   in many cells, and its build takes four times as long.
+//! * *Picture*: `docs/gallery/cells-kdtree.png`.
 //!
 //! The rules for cells at [`Accel`] make it return the hits of all others: a primitive is listed in each
 //! cell that its *box* touches, planes are measured with the padding, and the search ends by the

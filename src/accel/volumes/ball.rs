@@ -10,6 +10,7 @@
 //! * *Memory*: 48 bytes a node: of each child centre, radius and place.
 //! * *It wins*: seldom: where objects are round. Balls around flat or long parts are much larger than
 //!   boxes, and overlap.
+//! * *Picture*: `docs/gallery/cells-balls.png`.
 
 use glam::Vec3;
 use rayon::prelude::*;

@@ -11,6 +11,7 @@
 //! * *Memory*: 128 bytes a node, four times that of boxes.
 //! * *It wins*: in the number of nodes that are visited, where what lies aslant is large beside its parts; seldom in
 //!   time.
+//! * *Picture*: `docs/gallery/cells-kdop.png`.
 //!
 //! Along an axis the padded test of boxes serves. Along a diagonal, a point that a padded box accepts is at most 1.1
 //! paddings outside of it on each axis, hence 3.3 along `(±1, ±1, ±1)`; four are allowed for, and the rounding of `f64`

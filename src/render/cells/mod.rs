@@ -15,7 +15,7 @@ use glam::Vec3;
 
 use crate::accel::{BuildConfig, Bvh, Indexed, Regions};
 use crate::description::Shape;
-use crate::math::{Color, Hit, Random, Ray};
+use crate::math::{CLOSE, Color, Hit, Random, Ray};
 use crate::scene::{Scene, TracedWorld};
 
 use self::placed::Placed;
@@ -106,7 +106,8 @@ pub(super) fn surface_color(normal: Vec3, ray: &Ray) -> Color {
     Color::splat(0.25 + 0.35 * facing)
 }
 
-/// Whether a hit lies before a cell is entered.
+/// Whether a hit lies before a cell is entered. A surface may be a side of its cell: what is as far, but for rounding,
+/// is not before it.
 pub(super) fn is_before(hit: &Hit, cell: &SeenCell) -> bool {
-    hit.is_hit() && hit.t < cell.t
+    hit.is_hit() && hit.t < (1.0 - CLOSE) * cell.t
 }
