@@ -52,6 +52,9 @@ struct Best<R, const N: usize> {
     hit: u32,
 }
 
+/// Rays as the formula of primitives takes them, a ray in each lane.
+type RaysOf<P, R> = <<P as Primitives>::Packs as Packs>::Rays<R>;
+
 /// What became of the rays of a packet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
@@ -237,7 +240,7 @@ impl Stack {
 #[inline(always)]
 fn test_leaf<S: Simd, R: Row<N>, P: Primitives, Q: Query, const N: usize>(
     task: &Task<'_, P, Q>,
-    (rays, packet, of_formula): (&[Ray; N], &Packet<S, R, N>, &<P::Packs as Packs>::Rays<R>),
+    (rays, packet, of_formula): (&[Ray; N], &Packet<S, R, N>, &RaysOf<P, R>),
     leaf: Child,
     active: u32,
     end: S::F8,
