@@ -11,7 +11,12 @@
 //! * `median` (`median.rs`): from the top, halved by number;
 //! * `lbvh` (`lbvh.rs`): along Morton's curve;
 //! * `hlbvh` (`hlbvh.rs`): along Morton's curve below, by the surface area heuristic above;
-//! * `sbvh` (`spatial.rs`): from the top by the surface area heuristic, boxes cut where that pays.
+//! * `sbvh` (`spatial.rs`): from the top by the surface area heuristic, boxes cut where that pays;
+//! * `parry` (`parry.rs`), with the feature `libraries`: as parry3d parts them;
+//! * `svenstaro` (`svenstaro.rs`), with the same: as the crate bvh parts them.
+//!
+//! Of the trees of the last two only the form is taken (`walked.rs`), so that they are compared by the same formula and
+//! under the same walk as all others; as they are shipped, the same libraries are peers.
 //!
 //! Each can be improved by obvhs's reinsertion (Meister, Bittner: *Parallel Reinsertion for Bounding Volume Hierarchy
 //! Optimization*, 2018), as the option or the quality says (`choice.rs`). None depends on the number of threads.
@@ -24,13 +29,19 @@ mod choice;
 mod hlbvh;
 mod lbvh;
 mod median;
+#[cfg(feature = "libraries")]
+mod parry;
 mod reference;
 mod sorted;
 mod spatial;
 mod split;
+#[cfg(feature = "libraries")]
+mod svenstaro;
 mod sweep;
 mod terms;
 mod top_down;
+#[cfg(feature = "libraries")]
+mod walked;
 
 use glam::Vec3A;
 use obvhs::bvh2::Bvh2;
@@ -61,16 +72,59 @@ pub(super) enum Builder {
     Lbvh,
     /// Along Morton's curve below, by the surface area heuristic above.
     Hlbvh,
+    /// As parry3d parts them.
+    #[cfg(feature = "libraries")]
+    Parry,
+    /// As the crate bvh parts them.
+    #[cfg(feature = "libraries")]
+    Svenstaro,
     /// From the top down by the surface area heuristic, boxes cut where that pays.
     Sbvh,
 }
 
+/// What the options' summaries say of the builders of other libraries.
+#[cfg(feature = "libraries")]
+macro_rules! libraries {
+    () => {
+        ", or as a library builds it: parry3d (parry) or the crate bvh (svenstaro)"
+    };
+}
+#[cfg(not(feature = "libraries"))]
+macro_rules! libraries {
+    () => {
+        ""
+    };
+}
+
 impl Builder {
-    const ALL: [Self; 7] =
-        [Self::Sah, Self::Ploc, Self::Sweep, Self::Median, Self::Lbvh, Self::Hlbvh, Self::Sbvh];
+    const ALL: &[Self] = &[
+        Self::Sah,
+        Self::Ploc,
+        Self::Sweep,
+        Self::Median,
+        Self::Lbvh,
+        Self::Hlbvh,
+        #[cfg(feature = "libraries")]
+        Self::Parry,
+        #[cfg(feature = "libraries")]
+        Self::Svenstaro,
+        Self::Sbvh,
+    ];
 
     /// What they are called, in the same order; the last one cuts boxes.
-    const WORDS: &[&str] = &["sah", "ploc", "sweep", "median", "lbvh", "hlbvh", "sbvh"];
+    const WORDS: &[&str] = &[
+        "sah",
+        "ploc",
+        "sweep",
+        "median",
+        "lbvh",
+        "hlbvh",
+        #[cfg(feature = "libraries")]
+        "parry",
+        #[cfg(feature = "libraries")]
+        "svenstaro",
+        "sbvh",
+    ];
 
     /// The option that chooses it, with what holds where it is not given.
     pub(super) const fn option(default: &'static str) -> OptionInfo {
@@ -78,9 +132,12 @@ impl Builder {
             name: "builder",
             allowed: Allowed::Words(Self::WORDS),
             default,
-            summary: "binary tree by the surface area heuristic (in bins, by a sweep over all places, or in bins \
-                      with boxes that are cut: sbvh), by clustering, by halves of equal number or along \
-                      Morton's curve (with the heuristic above: hlbvh)",
+            summary: concat!(
+                "binary tree by the surface area heuristic (in bins, by a sweep over all places, or in bins with boxes ",
+                "that are cut: sbvh), by clustering, by halves of equal number or along Morton's curve (with the ",
+                "heuristic above: hlbvh)",
+                libraries!()
+            ),
         }
     }
 
@@ -89,8 +146,11 @@ impl Builder {
         let (words, _) = Self::WORDS.split_at(Self::WORDS.len() - 1);
         OptionInfo {
             allowed: Allowed::Words(words),
-            summary: "binary tree by the surface area heuristic (in bins or by a sweep over all places), by \
-                      clustering, by halves of equal number or along Morton's curve (with the heuristic above: hlbvh)",
+            summary: concat!(
+                "binary tree by the surface area heuristic (in bins or by a sweep over all places), by clustering, by ",
+                "halves of equal number or along Morton's curve (with the heuristic above: hlbvh)",
+                libraries!()
+            ),
             ..Self::option(default)
         }
     }
@@ -98,7 +158,7 @@ impl Builder {
     /// What was chosen.
     pub(super) fn chosen(options: &BuildOptions, option: &OptionInfo) -> Option<Self> {
         let chosen = options.word(option)?;
-        Self::WORDS.iter().zip(Self::ALL).find(|(word, _)| **word == chosen).map(|(_, own)| own)
+        Self::WORDS.iter().zip(Self::ALL).find(|(word, _)| **word == chosen).map(|(_, own)| *own)
     }
 
     /// Builds a tree over at least one primitive, for leaves in which `pack` primitives, a power of two,
@@ -120,6 +180,10 @@ impl Builder {
             Self::Median => median::build(primitives, stages),
             Self::Lbvh => lbvh::build(primitives, stages),
             Self::Hlbvh => hlbvh::build(primitives, effort, stages),
+            #[cfg(feature = "libraries")]
+            Self::Parry => parry::build(primitives, stages),
+            #[cfg(feature = "libraries")]
+            Self::Svenstaro => svenstaro::build(primitives, stages),
             Self::Sbvh => spatial::build(primitives, terms, cuts, stages),
             Self::Ploc => {
                 let boxes = stages.time("boxes", || obvhs_boxes(primitives));
@@ -183,8 +247,6 @@ mod tests {
     use crate::math::Random;
     use crate::simd::Isa;
 
-    const BUILDERS: [Builder; 7] = Builder::ALL;
-
     fn tree(builder: Builder, boxes: &[Aabb], [pack, most]: [u32; 2], quality: Quality) -> Bvh2 {
         let boxes = Boxes(boxes.to_vec());
         let choice = TreeChoice::new(builder, quality, false);
@@ -229,7 +291,8 @@ mod tests {
     #[test]
     fn words_name_the_builders() {
         let option = Builder::option("sah");
-        for (word, builder) in Builder::WORDS.iter().zip(BUILDERS) {
+        assert_eq!(Builder::WORDS.len(), Builder::ALL.len());
+        for (word, &builder) in Builder::WORDS.iter().zip(Builder::ALL) {
             let options = BuildOptions::of::<super::super::Bvh>(&format!("builder={word}"));
             assert_eq!(Builder::chosen(&options.expect(word), &option), Some(builder));
         }
@@ -238,7 +301,7 @@ mod tests {
 
     #[test]
     fn every_builder_holds_all_primitives_in_the_boxes_around_them() {
-        for builder in BUILDERS {
+        for &builder in Builder::ALL {
             for count in [1, 2, 3, 17, 1_000, 20_000] {
                 for (leaves, quality) in
                     [([1, 1], Quality::Medium), ([8, 8], Quality::Medium), ([8, 8], Quality::Slow)]
@@ -252,7 +315,7 @@ mod tests {
 
     #[test]
     fn equal_boxes_and_boxes_that_are_not_finite_lose_no_primitive() {
-        for builder in BUILDERS.into_iter().filter(|&builder| builder != Builder::Ploc) {
+        for &builder in Builder::ALL.iter().filter(|&&builder| builder != Builder::Ploc) {
             let same = vec![boxes(1)[0]; 5_000];
             assert_whole(&tree(builder, &same, [1, 1], Quality::Medium), &same, 1);
             let mut boxes = boxes(6_000);
@@ -264,10 +327,42 @@ mod tests {
         }
     }
 
+    /// Of boxes that shrink towards a point a library parts few from the many, level by level, for which it calls
+    /// itself: on the stack of a thread of the pool, and with the floats that there are, in three directions.
+    #[cfg(feature = "libraries")]
+    #[test]
+    fn libraries_make_no_chain_and_need_no_higher_stack() {
+        let power = |i: u32| 1e18 * 0.9f32.powi(i as i32);
+        let along = |axis: usize, i: u32| {
+            let mut corner = Vec3A::ZERO;
+            corner[axis] = power(i);
+            Aabb { min: corner, max: corner }
+        };
+        let lines = (0..3).flat_map(|axis| (0..1_300).map(move |i| along(axis, i)));
+        let cubes = (0..1_300).map(|i| Aabb { min: Vec3A::ZERO, max: Vec3A::splat(power(i)) });
+        for boxes in [lines.collect::<Vec<_>>(), cubes.collect()] {
+            for builder in [Builder::Parry, Builder::Svenstaro] {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("a pool");
+                let tree = pool.install(|| tree(builder, &boxes, [1, 1], Quality::Medium));
+                assert_whole(&tree, &boxes, 1);
+                let (mut open, mut deepest) = (vec![(0, 0)], 0);
+                while let Some((index, depth)) = open.pop() {
+                    let node: &obvhs::bvh2::node::Bvh2Node = &tree.nodes[index as usize];
+                    deepest = depth.max(deepest);
+                    if !node.is_leaf() {
+                        open.extend([0, 1].map(|side| (node.first_index + side, depth + 1)));
+                    }
+                }
+                println!("{builder:?}: {deepest} levels");
+                assert!(deepest < 96 + 32, "{builder:?}: {deepest} levels");
+            }
+        }
+    }
+
     #[test]
     fn the_number_of_threads_changes_no_tree() {
         let boxes = boxes(30_000);
-        for builder in BUILDERS {
+        for &builder in Builder::ALL {
             let on = |threads| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
                 pool.expect("a pool").install(|| tree(builder, &boxes, [8, 8], Quality::Medium))
