@@ -187,3 +187,31 @@ fn a_library_that_is_not_there_is_an_error_that_says_how_to_name_it() {
         assert!(text.contains("/no/embree.so"), "{text}");
     }
 }
+
+#[test]
+fn the_list_of_structures_names_the_library_that_is_found_or_how_to_name_one() {
+    let listed = |variable: Option<&str>| {
+        let mut command = assert_cmd::Command::new(env!("CARGO_BIN_EXE_srt"));
+        command.arg("accels").envs(variable.map(|variable| (variable, "/no/embree.so")));
+        String::from_utf8(command.output().unwrap().stdout).unwrap()
+    };
+    // The line below the manner.
+    let of = |text: &str, name: &str| {
+        let line = text.lines().position(|line| line.split(' ').next() == Some(name)).unwrap();
+        text.lines().nth(line + 2).unwrap().trim().to_owned()
+    };
+    let text = listed(None);
+    for name in ["embree", "embree16"] {
+        assert!(of(&text, name).starts_with("found: Embree 3."), "{text}");
+    }
+    for (names, variable) in
+        [(["embree", "embree16"], "SRT_EMBREE3"), (["embree4", "embree4x16"], "SRT_EMBREE4")]
+    {
+        let text = listed(Some(variable));
+        for name in names {
+            let line = of(&text, name);
+            assert!(line.starts_with("not found: ") && line.contains("is not installed"), "{line}");
+            assert!(line.contains(variable) && line.contains("/no/embree.so"), "{line}");
+        }
+    }
+}

@@ -21,6 +21,9 @@ fn table(structures: &Structures) -> String {
         // Text takes what is written to it.
         let _ = writeln!(text, "{:width$}  {}{}", one.name, one.summary, when(one));
         let _ = writeln!(text, "{:width$}    {}", "", manner(one));
+        if let Some(found) = found(one) {
+            let _ = writeln!(text, "{:width$}    {found}", "");
+        }
         for option in one.offered_options() {
             let (name, values) = (option.name, values_in_words(option));
             let (summary, default) = (option.summary, option.default);
@@ -36,6 +39,14 @@ fn manner(one: &Structure) -> String {
     let manner = if one.peer { "as shipped" } else { "same formula" };
     let source = if one.source.is_empty() { "" } else { "; from " };
     format!("{manner}{source}{}", one.source)
+}
+
+/// Which library would be loaded for it, or why none.
+fn found(one: &Structure) -> Option<String> {
+    match one.loaded() {
+        Ok(library) => library.map(|library| format!("found: {library}")),
+        Err(error) => Some(format!("not found: {error}")),
+    }
 }
 
 /// Where a comparison has it.

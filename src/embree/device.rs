@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicI64, Ordering};
 
 use super::EmbreeError;
-use super::ffi::{RTC_ERROR_NONE, RTCDevice};
+use super::ffi::{RTC_DEVICE_PROPERTY_VERSION, RTC_ERROR_NONE, RTCDevice};
 use super::library::Library;
 
 /// A device, which all of a scene's objects belong to.
@@ -58,6 +58,13 @@ impl Device {
 
     pub(super) fn raw(&self) -> RTCDevice {
         self.raw
+    }
+
+    /// The version of the library that is loaded, in three parts.
+    pub(super) fn version(&self) -> [isize; 3] {
+        // SAFETY: the device is valid, and both versions have this property.
+        let all = unsafe { (self.library.device_property)(self.raw, RTC_DEVICE_PROPERTY_VERSION) };
+        [all / 10_000, all / 100 % 100, all % 100]
     }
 
     /// What its objects occupy now.

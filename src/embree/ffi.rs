@@ -15,6 +15,8 @@ pub(super) const PACKET: usize = 16;
 pub(super) const RTC_INVALID_GEOMETRY_ID: c_uint = c_uint::MAX;
 
 pub(super) const RTC_ERROR_NONE: c_int = 0;
+/// Ten thousand times the first part, a hundred times the second, and the third.
+pub(super) const RTC_DEVICE_PROPERTY_VERSION: c_int = 0;
 pub(super) const RTC_BUILD_QUALITY_HIGH: c_int = 2;
 pub(super) const RTC_SCENE_FLAG_NONE: c_int = 0;
 pub(super) const RTC_GEOMETRY_TYPE_TRIANGLE: c_int = 0;

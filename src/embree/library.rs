@@ -83,6 +83,7 @@ functions! {
     new_device: b"rtcNewDevice", unsafe extern "C" fn(*const c_char) -> RTCDevice;
     release_device: b"rtcReleaseDevice", unsafe extern "C" fn(RTCDevice);
     device_error: b"rtcGetDeviceError", unsafe extern "C" fn(RTCDevice) -> c_int;
+    device_property: b"rtcGetDeviceProperty", unsafe extern "C" fn(RTCDevice, c_int) -> isize;
     set_error_function: b"rtcSetDeviceErrorFunction",
         unsafe extern "C" fn(RTCDevice, RTCErrorFunction, *mut c_void);
     set_memory_monitor: b"rtcSetDeviceMemoryMonitorFunction",

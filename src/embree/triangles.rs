@@ -71,6 +71,17 @@ impl Builder {
         Ok(Self(TriangleScene { scene, device, triangle_bytes: 0 }))
     }
 
+    /// Which library of a version is there: its version in full, as `3.13.5`.
+    ///
+    /// # Errors
+    /// As of [`new`](Self::new).
+    pub fn found(version: Version) -> Result<String, EmbreeError> {
+        let device = Device::new(Library::get(version)?, 1)?;
+        let [major, minor, patch] = device.version();
+        device.check()?;
+        Ok(format!("{major}.{minor}.{patch}"))
+    }
+
     /// Adds the triangles of an object, whose hits will name `object` and the triangle's place in
     /// the list.
     ///

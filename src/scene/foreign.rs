@@ -50,6 +50,15 @@ pub trait ForeignTracer: Send + Sync + Sized {
     /// The bytes that a build takes for each triangle, roughly: where there are not as many, none is begun.
     const BUILD_BYTES: u64 = 40;
 
+    /// Of a library that is loaded as the program runs, the name and the version of what there is; nothing of one that
+    /// is part of the program.
+    ///
+    /// # Errors
+    /// In the library's own words, if there is none.
+    fn loaded() -> Result<Option<String>, Box<dyn Error + Send + Sync>> {
+        Ok(None)
+    }
+
     /// Builds the index over all objects, which come one after the other: of objects with a
     /// transform, the positions are made as they come. An object may have no triangle, and there may
     /// be no object.

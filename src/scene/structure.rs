@@ -44,6 +44,7 @@ pub struct Structure {
     /// In which ways the structure over the objects can follow, and that over the triangles.
     updates: [&'static [Update]; 2],
     build: BuildFunction,
+    loaded: LoadedFunction,
     /// What structures that give equal hits can do beside; none for peers.
     equal: Option<EqualHits>,
     /// How it is saved, if it can be.
@@ -74,6 +75,8 @@ const NO_OPTIONS: &BuildOptions = &BuildOptions::NONE;
 
 type ReadFunction = fn(&Scene, &mut dyn Read, u64) -> Result<Box<dyn TracedWorld>, ReadError>;
 
+type LoadedFunction = fn() -> Result<Option<String>, BuildError>;
+
 type BuildFunction = fn(&Scene, &BuildConfig) -> Result<Box<dyn TracedWorld>, BuildError>;
 
 impl Structure {
@@ -95,6 +98,7 @@ impl Structure {
             build_bytes: [PACKED_TRIANGLE + T::BUILD_BYTES, LISTED_OBJECT + O::BUILD_BYTES],
             updates: [O::UPDATES, T::UPDATES],
             build: |scene, config| Ok(Box::new(World::<O, T>::build(scene, config))),
+            loaded: || Ok(None),
             equal: Some(EqualHits {
                 index: |triangles, config| Box::new(Indexed::<_, T>::build(triangles, config)),
                 check: check::<O, T>,
@@ -134,6 +138,7 @@ impl Structure {
             build_bytes: [F::BUILD_BYTES, 0],
             updates: [&[]; 2],
             build: |scene, config| Ok(Box::new(ForeignWorld::<F>::build(scene, config)?)),
+            loaded: || F::loaded().map_err(|error| BuildError::Library { text: error.to_string() }),
             equal: None,
             saved: None,
         }
@@ -155,6 +160,15 @@ impl Structure {
     #[must_use]
     pub fn base_name(&self) -> &'static str {
         self.base_name
+    }
+
+    /// Of a peer whose library is loaded as the program runs, the name and the version of what there is; nothing of
+    /// what is part of the program.
+    ///
+    /// # Errors
+    /// If there is none, with where it was looked for.
+    pub fn loaded(&self) -> Result<Option<String>, BuildError> {
+        (self.loaded)()
     }
 
     /// Whether it can follow a scene that moves in some way ([`TracedWorld::refit`]).
