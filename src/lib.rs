@@ -45,7 +45,8 @@
 //!   six direct dependencies.
 //! * `embree`: Intel's Embree 3 and 4 beside this crate's structures. They trace whole scenes, so it turns
 //!   `program` on; their libraries are loaded as they are asked for.
-//! * `libraries`: obvhs, parry3d and bvh as they are shipped, beside this crate's structures.
+//! * `libraries`: obvhs, parry3d and bvh as they are shipped, beside this crate's structures, and the trees of the
+//!   latter two in them.
 //! * `tinybvh`: tinybvh beside this crate's structures. A build needs a C++ compiler.
 //!
 //! # The program

@@ -8,10 +8,10 @@
 //! the other, and as fast on a knot, on land and in a soup of triangles, for 5 × the time of a build. It is compiled
 //! with the flags that its documentation names, for AVX2 and FMA and not for the machine at hand.
 //!
-//! It is compared as it is shipped alone. `BVH8_CPU` is built from triangles, keeps copies of them in its leaves, and tests
-//! boxes by products and differences that are rounded once, with no way to widen them or to have another test of what
-//! a leaf holds. tinybvh's plain binary tree, which has public nodes and takes a test of the caller's, is another tree
-//! than the one that it documents as the fastest, and the layers that build trees call no C++.
+//! It is compared as it is shipped alone. `BVH8_CPU` is built from triangles, keeps copies of them in its leaves, and
+//! tests boxes by products and differences that are rounded once, with no way to widen them or to have another test of
+//! what a leaf holds. tinybvh's plain binary tree, which has public nodes and takes a test of the caller's, is another
+//! tree than the one that it documents as the fastest, and the layers that build trees call no C++.
 //!
 //! What it cannot do: build on a number of threads of one's choice. Its pools have as many as the machine, from 50,000
 //! triangles on. On one thread it builds when it is to; on fewer than there are, its pools share as many processors

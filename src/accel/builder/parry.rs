@@ -3,8 +3,8 @@
 //! Its binned builder, the default and the one that its meshes take: from the top, in eight bins along the axis on
 //! which centres lie farthest apart, by the volumes of boxes (after Wald: *On fast Construction of SAH-based Bounding
 //! Volume Hierarchies*, 2007). It has clusters, too, which take a time that grows with the square of the number of
-//! boxes that are equal, so they are not offered. It builds on one thread, and its tree is read by its own walk, node by
-//! node.
+//! boxes that are equal, so they are not offered. It builds on one thread, and its tree is read by its own walk, node
+//! by node.
 
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -38,7 +38,7 @@ fn walk_with_room(boxes: &[Aabb]) -> Vec<u32> {
         let thread = std::thread::Builder::new().name("parry".to_owned()).stack_size(STACK);
         match thread.spawn_scoped(scope, || walk(boxes)) {
             Ok(thread) => thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
-            // A usual tree has a tenth of the levels that there is room for here.
+            // Without a thread on the stack at hand, which is enough for usual trees.
             Err(_) => walk(boxes),
         }
     })

@@ -2,8 +2,8 @@
 //!
 //! Of the library's tree only its form is taken: which primitives a node parts in which two halves. Boxes are unions
 //! of the primitives' own, so that a ray meets what it meets in the tree of any other builder, and hits are equal to
-//! the bit. From a depth on that no tree has which a ray is quick in, primitives are halved by number, as by the
-//! builders of this project: a library's tree over boxes that shrink towards a point may be a chain.
+//! the bit. Beyond a depth that trees over usual boxes do not have, primitives are halved by number, as by the
+//! builders of this project: over boxes that shrink towards a point a library's tree may be a chain.
 
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -12,7 +12,7 @@ use obvhs::bvh2::node::Bvh2Node;
 use crate::math::NONE;
 
 /// Deeper than this, primitives are halved by number.
-const USUAL_DEPTH: u32 = 96;
+pub(super) const USUAL_DEPTH: u32 = 96;
 
 /// The largest coordinate that is shown to a library: squares of lengths are numbers of single precision.
 const LARGEST: f32 = 1e18;
@@ -23,8 +23,7 @@ pub(super) const FORK: u32 = NONE;
 /// The corners of a box as they are shown to a library: what is not finite, or not a number, or too large for the
 /// areas that it computes, is moved to where it can compute.
 pub(super) fn shown(bounds: &Aabb) -> [[f32; 3]; 2] {
-    // Of a number and what is none, these are the number.
-    let near = |c: f32| f32::min(f32::max(c, -LARGEST), LARGEST);
+    let near = |c: f32| if c.is_nan() { 0.0 } else { c.clamp(-LARGEST, LARGEST) };
     [bounds.min, bounds.max].map(|corner| corner.to_array().map(near))
 }
 
@@ -168,7 +167,6 @@ mod tests {
             min: Vec3A::new(f32::NEG_INFINITY, -2.0, f32::NAN),
             max: Vec3A::new(f32::INFINITY, f32::MAX, 3.0),
         };
-        let least = -LARGEST;
-        assert_eq!(shown(&bounds), [[least, -2.0, least], [LARGEST, LARGEST, 3.0]]);
+        assert_eq!(shown(&bounds), [[-LARGEST, -2.0, 0.0], [LARGEST, LARGEST, 3.0]]);
     }
 }
