@@ -87,23 +87,16 @@ impl Structure {
         summary: &'static str,
     ) -> Self {
         Self {
-            name,
-            summary,
-            source: "",
-            peer: false,
-            on_request: false,
-            base_name: name,
             offered: [T::OPTIONS, O::OPTIONS],
-            options: NO_OPTIONS,
             build_bytes: [PACKED_TRIANGLE + T::BUILD_BYTES, LISTED_OBJECT + O::BUILD_BYTES],
             updates: [O::UPDATES, T::UPDATES],
-            build: |scene, config| Ok(Box::new(World::<O, T>::build(scene, config))),
-            loaded: || Ok(None),
             equal: Some(EqualHits {
                 index: |triangles, config| Box::new(Indexed::<_, T>::build(triangles, config)),
                 check: check::<O, T>,
             }),
-            saved: None,
+            ..Self::named(name, summary, |scene, config| {
+                Ok(Box::new(World::<O, T>::build(scene, config)))
+            })
         }
     }
 
@@ -127,18 +120,32 @@ impl Structure {
         summary: &'static str,
     ) -> Self {
         Self {
+            peer: true,
+            on_request: true,
+            offered: [F::OPTIONS, &[]],
+            build_bytes: [F::BUILD_BYTES, 0],
+            loaded: || F::loaded().map_err(|error| BuildError::Library { text: error.to_string() }),
+            ..Self::named(name, summary, |scene, config| {
+                Ok(Box::new(ForeignWorld::<F>::build(scene, config)?))
+            })
+        }
+    }
+
+    /// What can be built, and nothing else of it.
+    const fn named(name: &'static str, summary: &'static str, build: BuildFunction) -> Self {
+        Self {
             name,
             summary,
             source: "",
-            peer: true,
-            on_request: true,
+            peer: false,
+            on_request: false,
             base_name: name,
-            offered: [F::OPTIONS, &[]],
+            offered: [&[]; 2],
             options: NO_OPTIONS,
-            build_bytes: [F::BUILD_BYTES, 0],
+            build_bytes: [0; 2],
             updates: [&[]; 2],
-            build: |scene, config| Ok(Box::new(ForeignWorld::<F>::build(scene, config)?)),
-            loaded: || F::loaded().map_err(|error| BuildError::Library { text: error.to_string() }),
+            build,
+            loaded: || Ok(None),
             equal: None,
             saved: None,
         }

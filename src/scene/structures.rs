@@ -19,30 +19,55 @@ use super::tinybvh::TinyBvh;
 /// A `static`: a crate that names a constant compiles all that it refers to, every kernel of every structure, again.
 pub static STRUCTURES: &[Structure] = &[
     Structure::portable::<Exhaustive, Exhaustive>("none", "test every object and every triangle"),
-    Structure::portable::<Exhaustive, BoundingBall>("ball", "one bounding ball around each mesh").with_source("Clark 1976; Rubin, Whitted 1980"),
-    Structure::portable::<Bvh, Bvh>("bvh", "obvhs's binary tree over objects and triangles").with_source("Kay, Kajiya 1986; Meister, Bittner 2018; builds of obvhs 0.4, https://github.com/DGriffin91/obvhs"),
+    Structure::portable::<Exhaustive, BoundingBall>("ball", "one bounding ball around each mesh")
+        .with_source("Clark 1976; Rubin, Whitted 1980"),
+    Structure::portable::<Bvh, Bvh>("bvh", "obvhs's binary tree over objects and triangles")
+        .with_source(
+            "Kay, Kajiya 1986; Meister, Bittner 2018; \
+             builds of obvhs 0.4, https://github.com/DGriffin91/obvhs",
+        ),
     Structure::portable::<CompressedWideBvh, CompressedWideBvh>(
         "cwbvh",
         "obvhs's compressed eight-wide tree over objects and triangles",
-    ).with_source("Ylitie, Karras, Laine 2017; builds of obvhs 0.4, https://github.com/DGriffin91/obvhs"),
+    )
+    .with_source(
+        "Ylitie, Karras, Laine 2017; \
+         builds of obvhs 0.4, https://github.com/DGriffin91/obvhs",
+    ),
     Structure::portable::<Bvh8, Bvh8>(
         "bvh8",
         "an eight-wide tree over objects and triangles: many rays at once",
-    ).with_source("Dammertz, Hanika, Keller 2008; Fuetterling et al. 2015; Ylitie, Karras, Laine 2017"),
-    Structure::new::<KdTree, KdTree>("kdtree", "a kd-tree over objects and triangles").with_source("MacDonald, Booth 1990; Wald, Havran 2006").on_request(),
-    Structure::new::<Grid, Grid>("grid", "a uniform grid over objects and triangles").with_source("Fujimoto, Tanaka, Iwata 1986; Amanatides, Woo 1987; Cleary, Wyvill 1988").on_request(),
+    )
+    .with_source(
+        "Dammertz, Hanika, Keller 2008; Fuetterling et al. 2015; \
+         Ylitie, Karras, Laine 2017",
+    ),
+    Structure::new::<KdTree, KdTree>("kdtree", "a kd-tree over objects and triangles")
+        .with_source("MacDonald, Booth 1990; Wald, Havran 2006")
+        .on_request(),
+    Structure::new::<Grid, Grid>("grid", "a uniform grid over objects and triangles")
+        .with_source(
+            "Fujimoto, Tanaka, Iwata 1986; Amanatides, Woo 1987; \
+             Cleary, Wyvill 1988",
+        )
+        .on_request(),
     Structure::new::<TwoLevelGrid, TwoLevelGrid>(
         "grid2",
         "a grid of grids over objects and triangles",
-    ).with_source("Jevans, Wyvill 1989; Kalojanov, Billeter, Slusallek 2011")
+    )
+    .with_source("Jevans, Wyvill 1989; Kalojanov, Billeter, Slusallek 2011")
     .on_request(),
-    Structure::new::<Octree, Octree>("octree", "an octree over objects and triangles").with_source("Glassner 1984; Revelles, Ureña, Lastra 2000").on_request(),
-    Structure::new::<BallTree, BallTree>("balls", "a tree of balls over objects and triangles").with_source("Rubin, Whitted 1980; Weghorst, Hooper, Greenberg 1984")
+    Structure::new::<Octree, Octree>("octree", "an octree over objects and triangles")
+        .with_source("Glassner 1984; Revelles, Ureña, Lastra 2000")
+        .on_request(),
+    Structure::new::<BallTree, BallTree>("balls", "a tree of balls over objects and triangles")
+        .with_source("Rubin, Whitted 1980; Weghorst, Hooper, Greenberg 1984")
         .on_request(),
     Structure::new::<KDopTree, KDopTree>(
         "kdop",
         "a tree of polytopes of 14 sides over objects and triangles",
-    ).with_source("Klosowski et al. 1998")
+    )
+    .with_source("Klosowski et al. 1998")
     .on_request(),
 ];
 

@@ -13,12 +13,10 @@ use obvhs::bvh2::node::Bvh2Node;
 use rayon::prelude::*;
 
 use super::super::{Bounded, BuildStages};
+use super::USUAL_DEPTH;
 use super::branch::Branch;
 use super::reference::{Corners, Reference};
 use super::terms::Terms;
-
-/// From this depth on primitives are halved by number: no tree is deeper than this and 32 more.
-const USUAL_DEPTH: u32 = 96;
 
 /// Parts of at least so many primitives are built in parallel.
 const PARALLEL: usize = 1 << 12;

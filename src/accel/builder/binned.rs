@@ -15,14 +15,12 @@ use rayon::prelude::*;
 use crate::simd::{Kernel, Simd, dispatch};
 
 use super::super::{Bounded, BuildStages};
+use super::USUAL_DEPTH;
 use super::branch::Branch;
 use super::reference::{Centers, Corners, NOWHERE, Reference};
 use super::sorted::is_dense;
 use super::split::{Scratch, Splitting};
 use super::terms::Terms;
-
-/// From this depth on primitives are halved by number: no tree is deeper than this and 32 more.
-const USUAL_DEPTH: u32 = 96;
 
 /// Parts of at least so many primitives are built in parallel.
 const PARALLEL: usize = 1 << 13;

@@ -55,6 +55,9 @@ use self::terms::{Effort, Terms};
 use super::build::obvhs_boxes;
 use super::{Allowed, Bounded, BuildOptions, BuildStages, OptionInfo, Quality};
 
+/// From this depth on primitives are halved by number: no tree is deeper than this and 32 more.
+const USUAL_DEPTH: u32 = 96;
+
 pub(super) use self::choice::TreeChoice;
 
 /// How a tree is built.

@@ -12,7 +12,6 @@ use parry3d::bounding_volume;
 use parry3d::math::Vector;
 use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhNodeIndex, TraversalAction};
 
-use super::super::build::obvhs_boxes;
 use super::super::{Bounded, BuildStages};
 use super::walked::{self, FORK};
 
@@ -25,8 +24,7 @@ const FEW: usize = 128;
 
 /// Builds a tree over at least one primitive.
 pub(super) fn build(primitives: &impl Bounded, stages: &mut BuildStages) -> Bvh2 {
-    let boxes = stages.time("boxes", || obvhs_boxes(primitives));
-    stages.time("tree", || walked::tree(&walk_with_room(&boxes), &boxes))
+    walked::build(primitives, walk_with_room, stages)
 }
 
 /// The walk, built where there is a stack for it.

@@ -17,14 +17,12 @@ use obvhs::bvh2::node::Bvh2Node;
 use crate::simd::dispatch;
 
 use super::super::{Bounded, BuildStages};
+use super::USUAL_DEPTH;
 use super::binned::around;
 use super::branch::Branch;
 use super::reference::{Corners, Reference};
 use super::split::{Scratch, Splitting};
 use super::terms::{Effort, Terms};
-
-/// From this depth on primitives are halved by number: no tree is deeper than this and 32 more.
-const USUAL_DEPTH: u32 = 96;
 
 /// Parts of at least so many references are built in parallel.
 const PARALLEL: usize = 1 << 12;

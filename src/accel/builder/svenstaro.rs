@@ -15,14 +15,12 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
 
-use super::super::build::obvhs_boxes;
 use super::super::{Bounded, BuildStages};
 use super::walked::{self, FORK};
 
 /// Builds a tree over at least one primitive.
 pub(super) fn build(primitives: &impl Bounded, stages: &mut BuildStages) -> Bvh2 {
-    let boxes = stages.time("boxes", || obvhs_boxes(primitives));
-    stages.time("tree", || walked::tree(&walk(&boxes), &boxes))
+    walked::build(primitives, walk, stages)
 }
 
 /// A box as the library takes it.

@@ -108,7 +108,7 @@ fn libraries_make_no_chain_and_need_no_higher_stack() {
                 }
             }
             println!("{builder:?}: {deepest} levels");
-            assert!(deepest < walked::USUAL_DEPTH + 32, "{builder:?}: {deepest} levels");
+            assert!(deepest < USUAL_DEPTH + 32, "{builder:?}: {deepest} levels");
         }
     }
 }

@@ -11,8 +11,9 @@ use obvhs::bvh2::node::Bvh2Node;
 
 use crate::math::NONE;
 
-/// Deeper than this, primitives are halved by number.
-pub(super) const USUAL_DEPTH: u32 = 96;
+use super::super::build::obvhs_boxes;
+use super::super::{Bounded, BuildStages};
+use super::USUAL_DEPTH;
 
 /// The largest coordinate that is shown to a library: squares of lengths are numbers of single precision.
 const LARGEST: f32 = 1e18;
@@ -27,12 +28,22 @@ pub(super) fn shown(bounds: &Aabb) -> [[f32; 3]; 2] {
     [bounds.min, bounds.max].map(|corner| corner.to_array().map(near))
 }
 
+/// Builds a tree over at least one primitive by the walk through a library's, which it makes over the boxes.
+pub(super) fn build(
+    primitives: &impl Bounded,
+    walk: fn(&[Aabb]) -> Vec<u32>,
+    stages: &mut BuildStages,
+) -> Bvh2 {
+    let boxes = stages.time("boxes", || obvhs_boxes(primitives));
+    stages.time("tree", || tree(&walk(&boxes), &boxes))
+}
+
 /// The tree of a walk that goes to a node before those below it, and to all on its left before those on its right: of
 /// each node [`FORK`], of each leaf the index of its primitive. There is at least one primitive.
 ///
 /// # Panics
 /// If the walk has not each of the primitives in a leaf: the library has lost some.
-pub(super) fn tree(walk: &[u32], boxes: &[Aabb]) -> Bvh2 {
+fn tree(walk: &[u32], boxes: &[Aabb]) -> Bvh2 {
     assert_eq!(walk.len(), 2 * boxes.len() - 1, "a leaf for each primitive");
     let mut steps = walk.iter().copied();
     let mut step = || steps.next().expect("each fork has two below it");
