@@ -16,7 +16,7 @@ use glam::Vec4;
 use crate::math::{Lanes, Mask};
 
 use super::pair::Pair;
-use super::{Kernel, LANES, LARGEST_PACKET, PacketKernel, Row, Simd};
+use super::{Kernel, LARGEST_PACKET, PacketKernel, Row, Simd};
 
 /// AVX2 with fused multiply-add.
 #[derive(Clone, Copy, Debug)]
@@ -512,7 +512,7 @@ impl Simd for Avx2 {
 
     #[inline(always)]
     fn in_packets<K: PacketKernel>(kernel: K) -> K::Output {
-        kernel.run::<Self, Self::F16, LANES>()
+        kernel.run::<Self, Pair<Self::F16>, LARGEST_PACKET>()
     }
 
     #[inline(always)]

@@ -21,7 +21,7 @@ impl CoherenceBudget {
     /// What a packet of so many rays starts with.
     pub(super) fn new(rays: usize, large: bool) -> Self {
         let most = rays as u32 + Self::SAVED;
-        let price = if large { Self::PRICE_OF_MEMORY } else { 2 + rays as u32 / 8 };
+        let price = if large { Self::PRICE_OF_MEMORY } else { 2 + rays as u32 / 16 };
         Self { rays: most, most, price }
     }
 

@@ -8,8 +8,8 @@ use crate::simd::{Kernel, PacketKernel, Row, Simd, dispatch};
 use super::Bvh8;
 use super::diverged::Diverged;
 use super::packet::{self, Outcome};
-use super::task::Task;
-use super::wave::{self, RayOf};
+use super::task::{RayOf, Task};
+use super::wave;
 
 /// Rays that are traced together: few enough to stay in a core's cache.
 const AT_ONCE: usize = 4096;
@@ -31,7 +31,7 @@ pub(super) fn search<P: Primitives, Q: Query, C: Counters>(
 /// The kernels' memory; `R` is a ray as the primitives' formula takes it.
 struct Memory<R> {
     wave: wave::Memory<R>,
-    packet: packet::Stack,
+    packet: packet::Memory<R>,
     /// Rays that go down in waves from the root, by their place in the slice.
     incoherent: Vec<u32>,
     /// Rays that go on in waves from where their packet diverged.
@@ -42,7 +42,7 @@ impl<R: Copy + Default> Default for Memory<R> {
     fn default() -> Self {
         Self {
             wave: wave::Memory::default(),
-            packet: packet::Stack::default(),
+            packet: packet::Memory::default(),
             incoherent: Vec::new(),
             diverged: Diverged::default(),
         }
@@ -79,7 +79,7 @@ impl<P: Primitives, Q: Query, C: Counters> PacketKernel for Search<'_, P, Q, C> 
     }
 }
 
-impl<R> Memory<R> {
+impl<R: Copy + Default> Memory<R> {
     /// Rays go down in packets where and as long as they are coherent, and else in waves.
     #[inline(always)]
     fn search<

@@ -2,7 +2,7 @@
 //!
 //! A binary tree (`builder/`), made from the top down, is collapsed at the least cost (`plan.rs`,
 //! `collapse.rs`). Slices of rays go down it in packets as long as they are coherent
-//! (`packet.rs`) and in waves where they are not (`wave/`), which `kernels.rs` decides; where
+//! (`packet/`) and in waves where they are not (`wave/`), which `kernels.rs` decides; where
 //! primitives are not tested in packs, a stream of rays is brought to each node and to each primitive
 //! that any of them meets (`stream.rs`). A single ray is walked by [`Accel::traverse`]. So are the
 //! rays that the kernels' terms cannot take, and those of queries that want every hit. Where primitives
@@ -19,13 +19,13 @@
 //! * *It wins*: wherever rays come in slices. Single rays are better off with `bvh`.
 //! * *Picture*: `docs/gallery/cells-bvh8.png`.
 
+mod candidates;
 mod coherence;
 mod collapse;
 mod diverged;
 mod kernels;
 mod node;
 mod packet;
-mod packet_rays;
 mod plan;
 mod refit;
 mod save;

@@ -19,6 +19,9 @@ const IN_FLIGHT: usize = 32;
 /// Rays of a wave where nodes and packs come from farther away, and more rays are to wait for them together.
 pub(super) const MOST_IN_FLIGHT: usize = 64;
 
+/// A ray as the formula of primitives takes it.
+pub(super) type RayOf<P> = <<P as Primitives>::Packs as Packs>::Ray;
+
 /// What is searched, and for what.
 pub(super) struct Task<'a, P: Primitives, Q> {
     pub(super) tree: &'a Bvh8,

@@ -6,24 +6,23 @@
 //! the ray has on top of its stack then; eight at a time, the rays go to the lists that they belong to
 //! (`list.rs`). The rays of a phase do not depend on each other, so the processor works on several at once.
 
-mod candidates;
 mod incoming;
 mod list;
 mod slot;
 
 use crate::accel::{PACK, Packs, Primitives, Query, Search, search_one};
 use crate::counters::Counters;
-use crate::math::{BoxRay, Lanes as _, Mask as _, NONE, Ray, ones, within};
+use crate::math::{BoxRay, NONE, Ray};
 use crate::simd::{Row as _, Simd};
 
-use self::candidates::Candidates;
 use self::incoming::{Eight, Incoming, Terms};
 use self::list::{List, Places};
 use self::slot::Slot;
+use super::candidates::Candidates;
 use super::diverged::Diverged;
 use super::node::Child;
 use super::slab_ray::SlabRay;
-use super::task::{MOST_IN_FLIGHT, Task};
+use super::task::{MOST_IN_FLIGHT, RayOf, Task};
 
 /// The most rays in flight.
 const RAYS: usize = MOST_IN_FLIGHT;
@@ -47,9 +46,6 @@ impl<R: Copy + Default> Default for Memory<R> {
     }
 }
 
-/// A ray as the formula of primitives takes it.
-pub(super) type RayOf<P> = <<P as Primitives>::Packs as Packs>::Ray;
-
 /// Answers those of the rays whose places in the slice are in `which`, and those that diverged.
 #[inline(always)]
 pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
@@ -61,7 +57,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
     counters: &mut C,
 ) {
     let any = const { matches!(Q::SEARCH, Search::First) };
-    let (tree, packs) = (&task.tree.nodes[..], task.packs);
+    let tree = &task.tree.nodes[..];
     let Memory { slots, formulas, candidates, lists: [a, b, c, d] } = memory;
     let (mut nodes, mut leaves) = (List::new(a), List::new(b));
     let (mut improved, mut done) = (List::new(c), List::new(d));
@@ -139,45 +135,36 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
         for place in 0..leaves.length {
             let (id, leaf) = (leaves.slot(place), leaves.next(place));
             let slot = &mut slots[id as usize % RAYS];
-            let block = leaf.block();
             if C::COUNTS {
                 counters.primitives(leaf.count());
             }
-            let mut hits = packs.test_pack::<S>(block, &slot.formula);
-            for lane in ones(hits.flat()) {
-                hits.replace(lane, packs.flat_hit(block, lane, &rays[slot.ray as usize]));
-            }
-            let t = hits.t / hits.scale;
-            let in_reach = within(t, [S::F8::splat(slot.t_min()), S::F8::splat(slot.end())]);
-            let lanes = (hits.inside & in_reach).bits();
+            let searched = [slot.t_min(), slot.end()];
+            let of_rays = (rays, slot.ray as usize);
+            let offered = &mut candidates[if any { 0 } else { improved.length % RAYS }];
+            let is_met =
+                offered.test::<S, P, Q>(task, leaf.block(), of_rays, &slot.formula, searched);
             if any {
                 // A candidate nearly always ends the search: at most one misprediction a ray.
-                if lanes != 0 {
-                    candidates[0].set::<S>(t, lanes, block);
-                    if Q::FILTERS {
-                        candidates[0].set_coordinates::<S>(&hits);
-                    }
-                    if candidates[0].any_accepted::<S, P, Q>(slot, task, rays) {
-                        slot.prim = 0;
-                        slot.finish();
-                    }
+                if is_met && offered.any_counts::<S, P, Q>(task, &rays[slot.ray as usize], searched)
+                {
+                    slot.prim = 0;
+                    slot.finish();
                 }
                 leaves.set_next(place, slot.pop());
                 continue;
             }
-            let offered = &mut candidates[improved.length % RAYS];
-            offered.set::<S>(t, lanes, block);
-            offered.set_coordinates::<S>(&hits);
             // No branch: whether a leaf has a candidate cannot be foreseen.
-            improved.append_if(id, lanes != 0);
-            offering |= u64::from(lanes != 0) << (place % 64);
-            leaves.set_next(place, slot.pop_if(lanes == 0));
+            improved.append_if(id, is_met);
+            offering |= u64::from(is_met) << (place % 64);
+            leaves.set_next(place, slot.pop_if(!is_met));
         }
         leaves.keep_leaves::<S>(offering, &mut nodes, &mut done);
 
         for place in 0..improved.length {
             let slot = &mut slots[improved.slot(place) as usize % RAYS];
-            if candidates[place % RAYS].improve::<S, P, Q>(slot, task, rays) {
+            let (ray, searched) = (&rays[slot.ray as usize], [slot.t_min(), slot.end()]);
+            if candidates[place % RAYS].first::<S, P, Q>(task, ray, searched, |hit| slot.offer(hit))
+            {
                 slot.drop_behind::<S>();
             }
             improved.set_next(place, slot.pop());

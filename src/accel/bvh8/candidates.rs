@@ -1,13 +1,11 @@
-//! What a leaf offers a ray of a wave.
+//! What a leaf offers one ray.
 
-use crate::accel::{PACK, PackHits, Packs, Primitives, Query};
+use crate::accel::{PACK, Packs, Primitives, Query, Search};
 use crate::math::slab::{meets, not_before};
-use crate::math::{BoxRay, Hit, Lanes as _, Mask as _, Ray, ones};
+use crate::math::{BoxRay, Hit, Lanes as _, Mask as _, Ray, ones, within};
 use crate::simd::{Row as _, Simd};
 
-use super::super::task::Task;
-use super::RayOf;
-use super::slot::Slot;
+use super::task::{RayOf, Task};
 
 /// The hits of a leaf that a ray may have, before the primitives' own boxes are consulted.
 #[derive(Clone, Copy, Debug)]
@@ -31,19 +29,31 @@ impl Candidates {
         block: 0,
     };
 
-    /// Notes the hits of some lanes of a block, at these parameters.
+    /// Tests a ray with all primitives of a block, and notes those that it may hit within `searched`. Returns whether
+    /// there are any.
     #[inline(always)]
-    pub(super) fn set<S: Simd>(&mut self, t: S::F8, lanes: u32, block: usize) {
+    pub(super) fn test<S: Simd, P: Primitives, Q: Query>(
+        &mut self,
+        task: &Task<'_, P, Q>,
+        block: usize,
+        (rays, ray): (&[Ray], usize),
+        formula: &RayOf<P>,
+        [t_min, end]: [f32; 2],
+    ) -> bool {
+        let mut hits = task.packs.test_pack::<S>(block, formula);
+        for lane in ones(hits.flat()) {
+            hits.replace(lane, task.packs.flat_hit(block, lane, &rays[ray]));
+        }
+        let t = hits.t / hits.scale;
+        let in_reach = within(t, [S::F8::splat(t_min), S::F8::splat(end)]);
+        (self.lanes, self.block) = ((hits.inside & in_reach).bits(), block as u32);
         t.store(&mut self.t);
-        (self.lanes, self.block) = (lanes, block as u32);
-    }
-
-    /// Notes the coordinates of hits, and what they are to be divided by.
-    #[inline(always)]
-    pub(super) fn set_coordinates<S: Simd>(&mut self, hits: &PackHits<S::F8>) {
-        hits.u.store(&mut self.u);
-        hits.v.store(&mut self.v);
-        hits.scale.store(&mut self.scale);
+        if const { !matches!(Q::SEARCH, Search::First) || Q::FILTERS } {
+            hits.u.store(&mut self.u);
+            hits.v.store(&mut self.v);
+            hits.scale.store(&mut self.scale);
+        }
+        self.lanes != 0
     }
 
     /// A candidate as a hit.
@@ -63,14 +73,14 @@ impl Candidates {
     #[inline(always)]
     fn place<S: Simd, P: Primitives, Q: Query>(
         &mut self,
-        slot: &Slot<RayOf<P>>,
         task: &Task<'_, P, Q>,
-        rays: &[Ray],
+        ray: &Ray,
+        [t_min, end]: [f32; 2],
     ) {
-        // Most rays come here once at most: not kept in the slot.
-        let box_ray = BoxRay::new(&rays[slot.ray as usize], task.padding);
+        // Most rays come here once at most: not kept.
+        let box_ray = BoxRay::new(ray, task.padding);
         let (begin, leave) = box_ray.intervals(task.packs.boxes::<S>(self.block as usize));
-        let searched = [S::F8::splat(slot.t_min()), S::F8::splat(slot.end())];
+        let searched = [S::F8::splat(t_min), S::F8::splat(end)];
         self.lanes &= meets([begin, leave], searched).bits();
         not_before(S::F8::load(&self.t), begin).store(&mut self.t);
     }
@@ -79,43 +89,42 @@ impl Candidates {
     #[inline(always)]
     fn is_accepted<P: Primitives, Q: Query>(
         &self,
-        lane: usize,
-        ray: u32,
         task: &Task<'_, P, Q>,
-        rays: &[Ray],
+        lane: usize,
+        ray: &Ray,
     ) -> bool {
-        !Q::FILTERS || task.query.accepts(&rays[ray as usize], &self.hit(lane, task.packs))
+        !Q::FILTERS || task.query.accepts(ray, &self.hit(lane, task.packs))
     }
 
     /// Whether any candidate counts.
     #[inline(always)]
-    pub(super) fn any_accepted<S: Simd, P: Primitives, Q: Query>(
+    pub(super) fn any_counts<S: Simd, P: Primitives, Q: Query>(
         &mut self,
-        slot: &Slot<RayOf<P>>,
         task: &Task<'_, P, Q>,
-        rays: &[Ray],
+        ray: &Ray,
+        searched: [f32; 2],
     ) -> bool {
-        self.place::<S, P, Q>(slot, task, rays);
-        ones(self.lanes).any(|lane| self.is_accepted(lane % PACK, slot.ray, task, rays))
+        self.place::<S, P, Q>(task, ray, searched);
+        ones(self.lanes).any(|lane| self.is_accepted(task, lane % PACK, ray))
     }
 
-    /// Replaces a ray's best hit by the first candidate that counts, if that comes before. Returns
-    /// whether there is one.
+    /// Hands over the first candidate that counts, as a hit. Returns whether there is one.
     #[inline(always)]
-    pub(super) fn improve<S: Simd, P: Primitives, Q: Query>(
+    pub(super) fn first<S: Simd, P: Primitives, Q: Query>(
         &mut self,
-        slot: &mut Slot<RayOf<P>>,
         task: &Task<'_, P, Q>,
-        rays: &[Ray],
+        ray: &Ray,
+        searched: [f32; 2],
+        offer: impl FnOnce(&Hit),
     ) -> bool {
-        self.place::<S, P, Q>(slot, task, rays);
+        self.place::<S, P, Q>(task, ray, searched);
         let t = S::F8::load(&self.t);
         let mut lanes = self.lanes;
         while lanes != 0 {
             // Ids ascend within a pack: the first of equal lanes is the one that counts.
             let lane = t.first_smallest(lanes) % PACK;
-            if self.is_accepted(lane, slot.ray, task, rays) {
-                slot.offer(&self.hit(lane, task.packs));
+            if self.is_accepted(task, lane, ray) {
+                offer(&self.hit(lane, task.packs));
                 return true;
             }
             lanes &= !(1 << lane);

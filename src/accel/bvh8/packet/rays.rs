@@ -8,8 +8,8 @@ use crate::math::slab::{crossing, cut_to_finite, meets, not_before};
 use crate::math::{Lanes, Lanes3, Mask as _, Padding, Ray};
 use crate::simd::{Row, Simd};
 
-use super::node::{FAR, Node, near_planes};
-use super::slab_ray::{LARGEST_PRODUCT, SlabTerms};
+use super::super::node::{FAR, Node, near_planes};
+use super::super::slab_ray::{LARGEST_PRODUCT, SlabTerms};
 
 /// A bit for each of the lanes of a row.
 pub(super) const fn all(rays: usize) -> u32 {

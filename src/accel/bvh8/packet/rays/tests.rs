@@ -1,7 +1,7 @@
 use glam::Vec3;
 
-use super::super::node::Child;
-use super::super::slab_ray::tests::STILL;
+use super::super::super::node::Child;
+use super::super::super::slab_ray::tests::STILL;
 use super::*;
 use crate::math::{Aabb, BoxRay, Random};
 use crate::simd::{Kernel, LARGEST_PACKET as RAYS, PacketKernel, dispatch};
