@@ -183,9 +183,9 @@ fn no_ray_gets_through() {
     assert_closed(200_000);
 }
 
-/// `cargo test --release --test analytic -- --ignored hundred`
+/// `cargo test --release --test analytic -- --ignored hundred`: a step of `.ci/run`.
 #[test]
-#[ignore = "takes a minute or two"]
+#[ignore = "takes ten seconds, and minutes without optimization"]
 fn no_ray_of_a_hundred_million_gets_through() {
     assert_closed(5_000_000);
 }
