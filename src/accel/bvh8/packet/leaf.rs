@@ -62,16 +62,8 @@ impl<R> Formulas<R> {
                 continue;
             }
             self.known |= lanes;
-            let [ox, oy, oz, _, dx, dy, dz, _] = S::transpose_eight([
-                S::F8::load(&eight[0].to_array()),
-                S::F8::load(&eight[1].to_array()),
-                S::F8::load(&eight[2].to_array()),
-                S::F8::load(&eight[3].to_array()),
-                S::F8::load(&eight[4].to_array()),
-                S::F8::load(&eight[5].to_array()),
-                S::F8::load(&eight[6].to_array()),
-                S::F8::load(&eight[7].to_array()),
-            ]);
+            let rows = S::F8::of_records(&eight.map(|ray| ray.to_array()));
+            let [ox, oy, oz, _, dx, dy, dz, _] = rows;
             let inv_dir = [finite_reciprocal(dx), finite_reciprocal(dy), finite_reciprocal(dz)];
             K::eight_rays::<S>(&[ox, oy, oz], &[dx, dy, dz], &inv_dir, places);
         }

@@ -176,10 +176,7 @@ pub(super) fn search<
         }
         if !budget.pay(active) {
             best.answer::<R, Q>(task.query, rays, answers);
-            let mut hits = [Hit::MISS; N];
-            for (ray, hit) in hits.iter_mut().enumerate() {
-                *hit = best.of_ray(ray);
-            }
+            let hits: [Hit; N] = std::array::from_fn(|ray| best.of_ray(ray));
             let answered = if any { best.hit } else { 0 };
             stack.set_aside(top + 1, first, &hits, answered, any, diverged);
             return Outcome::Diverged;
