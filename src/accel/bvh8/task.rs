@@ -14,7 +14,7 @@ const CACHE: u64 = 1 << 25;
 const CORE_CACHE: u64 = 1 << 23;
 
 /// Rays of a wave.
-const IN_FLIGHT: usize = 32;
+const IN_FLIGHT: usize = 48;
 
 /// Rays of a wave where nodes and packs come from farther away, and more rays are to wait for them together.
 pub(super) const MOST_IN_FLIGHT: usize = 64;

@@ -24,6 +24,10 @@ use super::node::Child;
 use super::slab_ray::SlabRay;
 use super::task::{MOST_IN_FLIGHT, RayOf, Task};
 
+/// Rays that are worth a phase: each begins and ends with turns that cannot be foreseen. Fewer wait while others can go
+/// on.
+const WORTHWHILE: usize = 12;
+
 /// The most rays in flight.
 const RAYS: usize = MOST_IN_FLIGHT;
 
@@ -85,8 +89,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
                 terms.near[lane].store(&mut slot.near);
                 terms.far[lane].store(&mut slot.far);
                 slot.formula = formulas[lane];
-                slot.prim = NONE;
-                slot.ray = index[lane];
+                slot.take_up(index[lane]);
             }
             let all = (1 << count) - 1;
             if terms.usual & all == all && incoming.are_fresh(&eight) {
@@ -129,6 +132,9 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
         }
         nodes.keep_nodes::<S>(&mut leaves, &mut done);
 
+        if leaves.length < WORTHWHILE && nodes.length >= WORTHWHILE {
+            continue;
+        }
         prefetch(task, &leaves);
         // A bit for each leaf that has a candidate.
         let mut offering = 0;
@@ -159,6 +165,9 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
             leaves.set_next(place, slot.pop_if(!is_met));
         }
         leaves.keep_leaves::<S>(offering, &mut nodes, &mut done);
+        if improved.length < PACK && nodes.length + leaves.length >= WORTHWHILE {
+            continue;
+        }
 
         for place in 0..improved.length {
             let slot = &mut slots[improved.slot(place) as usize % RAYS];

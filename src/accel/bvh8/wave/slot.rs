@@ -87,21 +87,19 @@ impl<R> Slot<R> {
         self.far[ENTRIES] = f32::from_bits(height as u32);
     }
 
+    /// Takes up a ray, by its number, that has hit nothing.
+    #[inline(always)]
+    pub(super) fn take_up(&mut self, ray: u32) {
+        (self.prim, self.u, self.v, self.ray) = (Hit::MISS.prim, Hit::MISS.u, Hit::MISS.v, ray);
+    }
+
     /// The best hit. By arithmetic: whether there is one cannot be foreseen.
     #[inline(always)]
     pub(super) fn hit(&self) -> Hit {
         // All bits, or none.
-        let is_hit = u32::from(self.prim == NONE).wrapping_sub(1);
-        let or_else = |found: f32, miss: f32| {
-            f32::from_bits(found.to_bits() & is_hit | miss.to_bits() & !is_hit)
-        };
-        Hit {
-            t: or_else(self.end(), Hit::MISS.t),
-            object: !is_hit,
-            prim: self.prim,
-            u: or_else(self.u, Hit::MISS.u),
-            v: or_else(self.v, Hit::MISS.v),
-        }
+        let is_miss = u32::from(self.prim != NONE).wrapping_sub(1);
+        let t = self.end().to_bits() & !is_miss | Hit::MISS.t.to_bits() & is_miss;
+        Hit { t: f32::from_bits(t), object: is_miss, prim: self.prim, u: self.u, v: self.v }
     }
 
     /// Takes a hit that is no farther than the best one if it is the better one.
