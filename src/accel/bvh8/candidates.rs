@@ -56,12 +56,12 @@ impl Candidates {
         self.lanes != 0
     }
 
-    /// A candidate as a hit.
+    /// A candidate as a hit at a parameter.
     #[inline(always)]
-    fn hit(&self, lane: usize, packs: &impl Packs) -> Hit {
+    fn hit(&self, lane: usize, t: f32, packs: &impl Packs) -> Hit {
         let scale = self.scale[lane];
         Hit {
-            t: self.t[lane],
+            t,
             object: 0,
             prim: packs.id(self.block as usize, lane),
             u: self.u[lane] / scale,
@@ -69,62 +69,65 @@ impl Candidates {
         }
     }
 
-    /// Takes those out that do not count by their own boxes, and puts the others where they count.
+    /// Those that count by their own boxes, a bit for each, and where they do.
     #[inline(always)]
-    fn place<S: Simd, P: Primitives, Q: Query>(
-        &mut self,
+    fn placed<S: Simd, P: Primitives, Q: Query>(
+        &self,
         task: &Task<'_, P, Q>,
         ray: &Ray,
         [t_min, end]: [f32; 2],
-    ) {
+    ) -> (u32, S::F8) {
         // Most rays come here once at most: not kept.
         let box_ray = BoxRay::new(ray, task.padding);
         let (begin, leave) = box_ray.intervals(task.packs.boxes::<S>(self.block as usize));
         let searched = [S::F8::splat(t_min), S::F8::splat(end)];
-        self.lanes &= meets([begin, leave], searched).bits();
-        not_before(S::F8::load(&self.t), begin).store(&mut self.t);
+        let lanes = self.lanes & meets([begin, leave], searched).bits();
+        (lanes, not_before(S::F8::load(&self.t), begin))
     }
 
-    /// Whether the query accepts a candidate.
+    /// Whether the query accepts a candidate at a parameter.
     #[inline(always)]
     fn is_accepted<P: Primitives, Q: Query>(
         &self,
         task: &Task<'_, P, Q>,
-        lane: usize,
+        (lane, t): (usize, f32),
         ray: &Ray,
     ) -> bool {
-        !Q::FILTERS || task.query.accepts(ray, &self.hit(lane, task.packs))
+        !Q::FILTERS || task.query.accepts(ray, &self.hit(lane, t, task.packs))
     }
 
     /// Whether any candidate counts.
     #[inline(always)]
     pub(super) fn any_counts<S: Simd, P: Primitives, Q: Query>(
-        &mut self,
+        &self,
         task: &Task<'_, P, Q>,
         ray: &Ray,
         searched: [f32; 2],
     ) -> bool {
-        self.place::<S, P, Q>(task, ray, searched);
-        ones(self.lanes).any(|lane| self.is_accepted(task, lane % PACK, ray))
+        let (lanes, at) = self.placed::<S, P, Q>(task, ray, searched);
+        let mut t = [0.0; PACK];
+        at.store(&mut t);
+        ones(lanes).any(|lane| self.is_accepted(task, (lane % PACK, t[lane % PACK]), ray))
     }
 
     /// Hands over the first candidate that counts, as a hit. Returns whether there is one.
     #[inline(always)]
     pub(super) fn first<S: Simd, P: Primitives, Q: Query>(
-        &mut self,
+        &self,
         task: &Task<'_, P, Q>,
         ray: &Ray,
         searched: [f32; 2],
         offer: impl FnOnce(&Hit),
     ) -> bool {
-        self.place::<S, P, Q>(task, ray, searched);
-        let t = S::F8::load(&self.t);
-        let mut lanes = self.lanes;
+        let (mut lanes, at) = self.placed::<S, P, Q>(task, ray, searched);
+        // Apart from what it was before: what a masked store has just written is not handed on to loads (AMD).
+        let mut t = [0.0; PACK];
+        at.store(&mut t);
         while lanes != 0 {
             // Ids ascend within a pack: the first of equal lanes is the one that counts.
-            let lane = t.first_smallest(lanes) % PACK;
-            if self.is_accepted(task, lane, ray) {
-                offer(&self.hit(lane, task.packs));
+            let lane = at.first_smallest(lanes) % PACK;
+            if self.is_accepted(task, (lane, t[lane]), ray) {
+                offer(&self.hit(lane, t[lane], task.packs));
                 return true;
             }
             lanes &= !(1 << lane);

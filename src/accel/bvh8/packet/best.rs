@@ -1,5 +1,7 @@
 //! The best hits of a packet so far.
 
+use std::hint::black_box;
+
 use crate::accel::{Query, Search};
 use crate::math::{Hit, Mask as _, NONE, Ray, ones};
 use crate::simd::Row;
@@ -10,7 +12,8 @@ pub(super) struct Best<const N: usize> {
     t: [f32; N],
     u: [f32; N],
     v: [f32; N],
-    prim: [u32; N],
+    /// Words as bits of floats, so that rows of them are chosen as the others are.
+    prim: [f32; N],
     /// A bit for each ray that has hit something.
     pub(super) hit: u32,
 }
@@ -19,7 +22,8 @@ impl<const N: usize> Best<N> {
     /// None yet: the searches end with the rays.
     #[inline(always)]
     pub(super) fn none_before<R: Row<N>>(ends: R) -> Self {
-        let mut best = Self { t: [0.0; N], u: [0.0; N], v: [0.0; N], prim: [NONE; N], hit: 0 };
+        let prim = [f32::from_bits(NONE); N];
+        let mut best = Self { t: [0.0; N], u: [0.0; N], v: [0.0; N], prim, hit: 0 };
         ends.store(&mut best.t);
         best
     }
@@ -36,33 +40,41 @@ impl<const N: usize> Best<N> {
         self.t[ray % N]
     }
 
+    /// The primitive of a ray's best hit, or none.
+    #[inline(always)]
+    fn prim(&self, ray: usize) -> u32 {
+        self.prim[ray % N].to_bits()
+    }
+
     /// Takes hits of some rays on a primitive, at parameters that are no farther than their best ones, where they are
     /// the better ones.
     #[inline(always)]
     pub(super) fn offer<R: Row<N>>(&mut self, [t, u, v]: [R; 3], prim: u32, mut found: u32) {
-        let ends = self.ends::<R>();
+        // As if it were other memory, so that rows are read, chosen and written whole. Else the compiler makes masked
+        // stores of this, which AMD's processors are slow at with AVX2, and never hand on to loads.
+        let before = black_box(&*self);
+        let (ends, prims) = (before.ends::<R>(), R::load(&before.prim));
+        let (old_u, old_v) = (R::load(&before.u), R::load(&before.v));
         // Equal parameters are rare: the smaller id goes before.
         for ray in ones(ends.le(t).bits() & found) {
-            if prim >= self.prim[ray % N] {
+            if prim >= self.prim(ray) {
                 found &= !(1 << ray);
             }
         }
         t.select(found, ends).store(&mut self.t);
-        u.select(found, R::load(&self.u)).store(&mut self.u);
-        v.select(found, R::load(&self.v)).store(&mut self.v);
+        u.select(found, old_u).store(&mut self.u);
+        v.select(found, old_v).store(&mut self.v);
+        R::splat(f32::from_bits(prim)).select(found, prims).store(&mut self.prim);
         self.hit |= found;
-        for ray in ones(found) {
-            self.prim[ray % N] = prim;
-        }
     }
 
     /// Takes a hit of a ray, no farther than its best one, if it is the better one.
     #[inline(always)]
     pub(super) fn offer_one(&mut self, ray: usize, hit: &Hit) {
         let ray = ray % N;
-        if hit.t < self.t[ray] || hit.prim < self.prim[ray] {
+        if hit.t < self.t[ray] || hit.prim < self.prim(ray) {
             (self.t[ray], self.u[ray], self.v[ray]) = (hit.t, hit.u, hit.v);
-            self.prim[ray] = hit.prim;
+            self.prim[ray] = f32::from_bits(hit.prim);
             self.hit |= 1 << ray;
         }
     }
@@ -84,11 +96,11 @@ impl<const N: usize> Best<N> {
         } else {
             self.ends::<R>().select(self.hit, R::splat(Hit::MISS.t)).store(&mut t);
             for (object, prim) in object.iter_mut().zip(self.prim) {
-                *object = if prim == NONE { NONE } else { 0 };
+                *object = if prim.to_bits() == NONE { NONE } else { 0 };
             }
         }
         for (ray, answer) in answers.iter_mut().enumerate() {
-            let (prim, object) = (self.prim[ray], object[ray]);
+            let (prim, object) = (self.prim(ray), object[ray]);
             let found = Hit { t: t[ray], object, prim, u: self.u[ray], v: self.v[ray] };
             *answer = query.of_one(&rays[ray], &found);
         }
@@ -98,7 +110,7 @@ impl<const N: usize> Best<N> {
     #[inline(always)]
     pub(super) fn of_ray(&self, ray: usize) -> Hit {
         let ray = ray % N;
-        Hit { t: self.t[ray], object: 0, prim: self.prim[ray], u: self.u[ray], v: self.v[ray] }
+        Hit { t: self.t[ray], object: 0, prim: self.prim(ray), u: self.u[ray], v: self.v[ray] }
     }
 }
 

@@ -201,7 +201,7 @@ pub(super) fn search<
         let (near, far) = packet.hull_of_node(node, end);
         let crossed =
             S::enter(near, far, &LANES, node.orders(), shift, &mut lanes, &mut entries_of);
-        for &lane in &lanes[..crossed as usize % (PACK + 1)] {
+        for &lane in &lanes[..PACK.min(crossed as usize)] {
             let lane = lane as usize % PACK;
             let (near, far) = packet.interval(node, lane, best.ends());
             let entering = near.le(far).bits() & active;
