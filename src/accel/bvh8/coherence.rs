@@ -14,15 +14,10 @@ impl CoherenceBudget {
     /// The most that can be saved beyond the rays of one visit.
     const SAVED: u32 = 16;
 
-    /// What a packet waits for memory at each visit, where nodes and packs are far away; a wave waits for all of its
-    /// rays at once.
-    const PRICE_OF_MEMORY: u32 = 12;
-
     /// What a packet of so many rays starts with.
-    pub(super) fn new(rays: usize, large: bool) -> Self {
+    pub(super) fn new(rays: usize) -> Self {
         let most = rays as u32 + Self::SAVED;
-        let price = if large { Self::PRICE_OF_MEMORY } else { 2 + rays as u32 / 16 };
-        Self { rays: most, most, price }
+        Self { rays: most, most, price: 2 + rays as u32 / 16 }
     }
 
     /// Pays for a visit by some rays; returns whether the budget had enough.

@@ -7,9 +7,6 @@ use crate::simd::prefetch;
 use super::Bvh8;
 use super::node::Child;
 
-/// Bytes that a processor's caches hold, about.
-const CACHE: u64 = 1 << 25;
-
 /// Bytes that fit into the cache of a core, about; what is larger comes from one that is farther away.
 const CORE_CACHE: u64 = 1 << 23;
 
@@ -29,10 +26,7 @@ pub(super) struct Task<'a, P: Primitives, Q> {
     pub(super) primitives: &'a P,
     pub(super) packs: &'a P::Packs,
     pub(super) padding: Padding,
-    /// Whether nodes and packs do not fit into the caches, so that what packets are about to read is prefetched, and
-    /// costs more.
-    pub(super) large: bool,
-    /// Whether they do not fit into the cache of a core, so that what waves are about to read is prefetched.
+    /// Whether nodes and packs do not fit into the cache of a core, so that what is about to be read is prefetched.
     pub(super) far: bool,
     /// How many rays a wave has in flight.
     pub(super) in_flight: usize,
@@ -43,9 +37,9 @@ impl<'a, P: Primitives, Q: Query> Task<'a, P, Q> {
         let packs = primitives.packs();
         let bytes = size_of_val(&tree.nodes[..]) as u64 + packs.bytes();
         let padding = primitives.padding();
-        let (far, large) = (bytes > CORE_CACHE, bytes > CACHE);
+        let far = bytes > CORE_CACHE;
         let in_flight = if far { MOST_IN_FLIGHT } else { IN_FLIGHT };
-        Self { tree, query, primitives, packs, padding, large, far, in_flight }
+        Self { tree, query, primitives, packs, padding, far, in_flight }
     }
 
     /// Prefetches what will be visited soon.

@@ -150,7 +150,7 @@ pub(super) fn search<
         return AxisAligned { task, rays, answers, memory, diverged, counters }.search();
     }
     let of_formula = <P::Packs as Packs>::rays::<R>(&packet.origin, &packet.dir, &packet.inv_dir);
-    let mut budget = CoherenceBudget::new(N, task.large);
+    let mut budget = CoherenceBudget::new(N);
     let Memory { stack, formulas } = memory;
     let mut best = Best::none_before(ends);
     formulas.clear();
@@ -207,7 +207,7 @@ pub(super) fn search<
             let entering = near.le(far).bits() & active;
             let child = Child(node.children()[lane]);
             entries[top % HEIGHT] = (child, entering);
-            if task.large {
+            if task.far {
                 task.prefetch(child);
             }
             if !any {
