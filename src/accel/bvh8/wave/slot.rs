@@ -87,7 +87,8 @@ impl<R> Slot<R> {
         self.far[ENTRIES] = f32::from_bits(height as u32);
     }
 
-    /// Takes up a ray, by its number, that has hit nothing.
+    /// Takes up a ray, by its number, that has hit nothing. It has the coordinates of a miss, as one from a
+    /// packet has too, so that [`hit`](Self::hit) need not choose them.
     #[inline(always)]
     pub(super) fn take_up(&mut self, ray: u32) {
         (self.prim, self.u, self.v, self.ray) = (Hit::MISS.prim, Hit::MISS.u, Hit::MISS.v, ray);
