@@ -7,7 +7,7 @@ use crate::simd::{Kernel, PacketKernel, Row, Simd, dispatch};
 
 use super::Bvh8;
 use super::diverged::Diverged;
-use super::packet::{self, Outcome};
+use super::packet::{self, Outcome, Packet};
 use super::task::{RayOf, Task};
 use super::wave;
 
@@ -101,12 +101,14 @@ impl<R: Copy + Default> Memory<R> {
         diverged.clear();
         let (packets, rest) = rays.as_chunks::<N>();
         let (of_packets, _) = answers.as_chunks_mut::<N>();
+        // One for all packets: it is 3.6 kB, too much to clear or to copy for each.
+        let mut lanes = Packet::vacant();
         for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
             let first = (number * N) as u32;
             let numbered = (first, rays);
             if in_several_octants(rays)
                 || packet::search::<S, L, P, Q, C, false, N>(
-                    task, numbered, answers, packet, diverged, counters,
+                    task, numbered, &mut lanes, answers, packet, diverged, counters,
                 ) == Outcome::Incoherent
             {
                 incoherent.extend(first..first + N as u32);

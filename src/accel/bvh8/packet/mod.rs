@@ -11,6 +11,8 @@ mod best;
 mod leaf;
 mod rays;
 
+use std::hint::black_box;
+
 use crate::accel::{PACK, Packs, Primitives, Query, Search};
 use crate::counters::Counters;
 use crate::math::{Hit, Lanes as _, Mask as _, Ray, ones};
@@ -18,7 +20,8 @@ use crate::simd::{Kernel, LARGEST_PACKET, PacketKernel, Row, Simd, dispatch};
 
 use self::best::Best;
 use self::leaf::{Formulas, PacketRays};
-use self::rays::{Packet, all};
+pub(super) use self::rays::Packet;
+use self::rays::all;
 use super::HEIGHT;
 use super::coherence::CoherenceBudget;
 use super::diverged::Diverged;
@@ -114,12 +117,21 @@ impl<P: Primitives, Q: Query, C: Counters> PacketKernel for AxisAligned<'_, P, Q
             return Outcome::Incoherent;
         };
         let rays = (first, rays);
-        search::<S, R, P, Q, C, true, N>(task, rays, answers, memory, diverged, counters)
+        let mut packet = Packet::vacant();
+        search::<S, R, P, Q, C, true, N>(
+            task,
+            rays,
+            &mut packet,
+            answers,
+            memory,
+            diverged,
+            counters,
+        )
     }
 }
 
 /// Answers the rays of a packet, the first of which has the place `first` in the slice, or sets some aside
-/// that diverged. Their terms are the usual ones, or those that are `CUT`.
+/// that diverged. They are laid out in `packet`. Their terms are the usual ones, or those that are `CUT`.
 #[inline(always)]
 pub(super) fn search<
     S: Simd,
@@ -132,13 +144,14 @@ pub(super) fn search<
 >(
     task: &Task<'_, P, Q>,
     (first, rays): (u32, &[Ray; N]),
+    packet: &mut Packet<S, R, N>,
     answers: &mut [Q::Answer; N],
     memory: &mut Memory<RayOf<P>>,
     diverged: &mut Diverged,
     counters: &mut C,
 ) -> Outcome {
     let any = const { matches!(Q::SEARCH, Search::First) };
-    let Some((mut packet, ends, fits)) = Packet::<S, R, N>::load(rays, task.padding) else {
+    let Some((ends, fits)) = packet.load(rays, task.padding) else {
         return Outcome::Incoherent;
     };
     if CUT {
@@ -149,12 +162,14 @@ pub(super) fn search<
         let rays = (first, &rays[..]);
         return AxisAligned { task, rays, answers, memory, diverged, counters }.search();
     }
+    // As if it were other memory: what the compiler knows of its rows it keeps in registers, and copies to its stack.
+    let packet = black_box(&*packet);
     let of_formula = <P::Packs as Packs>::rays::<R>(&packet.origin, &packet.dir, &packet.inv_dir);
     let mut budget = CoherenceBudget::new(N);
     let Memory { stack, formulas } = memory;
     let mut best = Best::none_before(ends);
     formulas.clear();
-    let mut of_packet = PacketRays { rays, packet: &packet, of_formula: &of_formula, formulas };
+    let mut of_packet = PacketRays { rays, packet, of_formula: &of_formula, formulas };
     let tree = task.tree;
     let Stack { entries, begins } = stack;
     entries[0] = (Child::ROOT, all(N));

@@ -17,7 +17,7 @@ pub(super) const fn all(rays: usize) -> u32 {
 }
 
 /// Rays of one octant, a ray in each lane.
-pub(super) struct Packet<S: Simd, R: Row<N>, const N: usize> {
+pub(in crate::accel::bvh8) struct Packet<S: Simd, R: Row<N>, const N: usize> {
     pub(super) origin: Lanes3<R>,
     pub(super) dir: Lanes3<R>,
     pub(super) inv_dir: Lanes3<R>,
@@ -45,11 +45,29 @@ pub(super) struct Hull<S: Simd> {
 }
 
 impl<S: Simd, R: Row<N>, const N: usize> Packet<S, R, N> {
-    /// Lays out rays, or returns `None` if their directions are not all of one octant. Also
-    /// returns the rays' ends, and whether the usual terms will do: else they must be
-    /// [`cut`](Self::cut).
+    /// One that holds no rays yet.
     #[inline(always)]
-    pub(super) fn load(rays: &[Ray; N], padding: Padding) -> Option<(Self, R, bool)> {
+    pub(in crate::accel::bvh8) fn vacant() -> Self {
+        let (row, eight) = ([R::splat(0.0); 3], [S::F8::splat(0.0); 3]);
+        Self {
+            origin: row,
+            dir: row,
+            inv_dir: row,
+            near: row,
+            far: row,
+            slab_inv_dir: row,
+            near_offset: row,
+            far_offset: row,
+            t_min: row[0],
+            octant: 0,
+            hull: Hull { near: eight, far: eight, inv_dir: [eight; 2], t_min: eight[0] },
+        }
+    }
+
+    /// Lays out rays where others were, or returns `None` if their directions are not all of one octant. Returns the
+    /// rays' ends, and whether the usual terms will do: else they must be [`cut`](Self::cut).
+    #[inline(always)]
+    pub(super) fn load(&mut self, rays: &[Ray; N], padding: Padding) -> Option<(R, bool)> {
         let rows = R::of_records(&rays.map(|ray| ray.to_array()));
         let (origin, dir) = ([rows[0], rows[1], rows[2]], [rows[4], rows[5], rows[6]]);
         let (one, zero) = (R::splat(1.0), R::splat(0.0));
@@ -61,26 +79,14 @@ impl<S: Simd, R: Row<N>, const N: usize> Packet<S, R, N> {
             mixed |= backwards != 0 && backwards != all(N);
             octant |= (backwards & 1) << axis;
         }
+        // An end that is no number would be the end of all.
+        if mixed || rows[3].le(rows[7]).bits() != all(N) {
+            return None;
+        }
         let pad = padding.of_rays(origin[0].abs().max(origin[1].abs()).max(origin[2].abs()));
-        let mut packet = Self {
-            origin,
-            dir,
-            inv_dir,
-            near: origin,
-            far: origin,
-            slab_inv_dir: inv_dir,
-            near_offset: origin,
-            far_offset: origin,
-            t_min: rows[3],
-            octant,
-            hull: Hull {
-                near: [S::F8::splat(0.0); 3],
-                far: [S::F8::splat(0.0); 3],
-                inv_dir: [[S::F8::splat(0.0); 3]; 2],
-                t_min: S::F8::splat(0.0),
-            },
-        };
-        packet.hull.t_min = S::F8::splat(packet.t_min.smallest());
+        (self.origin, self.dir, self.inv_dir) = (origin, dir, inv_dir);
+        (self.t_min, self.octant) = (rows[3], octant);
+        self.hull.t_min = S::F8::splat(self.t_min.smallest());
         let mut fits = all(N);
         for axis in 0..3 {
             let (plus, minus) = (origin[axis] + pad, origin[axis] - pad);
@@ -89,15 +95,11 @@ impl<S: Simd, R: Row<N>, const N: usize> Packet<S, R, N> {
             let terms = SlabTerms { inv_dir: inv_dir[axis], near, far };
             let product = padding.reach(origin[axis], pad) * inv_dir[axis].abs();
             fits &= product.le(R::splat(LARGEST_PRODUCT)).bits();
-            packet.near[axis] = near;
-            packet.far[axis] = far;
-            packet.set_slab(axis, terms, product);
+            self.near[axis] = near;
+            self.far[axis] = far;
+            self.set_slab(axis, terms, product);
         }
-        // An end that is no number would be the end of all.
-        if mixed || rows[3].le(rows[7]).bits() != all(N) {
-            return None;
-        }
-        Some((packet, rows[7], fits == all(N)))
+        Some((rows[7], fits == all(N)))
     }
 
     /// Notes the terms of the slab test of an axis; `product` is the reach times the inverse

@@ -24,8 +24,8 @@ impl PacketKernel for Makes<'_> {
     #[inline(always)]
     fn run<S: Simd, R: Row<N>, const N: usize>(self) -> bool {
         let rays = self.0.first_chunk().expect("the largest packet");
-        let packet = Packet::<S, R, N>::load(rays, self.1);
-        packet.is_some_and(|(mut packet, _, fits)| fits || packet.cut(self.1))
+        let mut packet = Packet::<S, R, N>::vacant();
+        packet.load(rays, self.1).is_some_and(|(_, fits)| fits || packet.cut(self.1))
     }
 }
 
@@ -55,7 +55,8 @@ impl PacketKernel for Intervals<'_> {
     fn run<S: Simd, R: Row<N>, const N: usize>(self) -> Option<Met> {
         let Self(rays, node, padding) = self;
         let rays = rays.first_chunk().expect("the largest packet");
-        let (mut packet, ends, fits) = Packet::<S, R, N>::load(rays, padding)?;
+        let mut packet = Packet::<S, R, N>::vacant();
+        let (ends, fits) = packet.load(rays, padding)?;
         if !fits && !packet.cut(padding) {
             return None;
         }
