@@ -309,6 +309,9 @@ impl Packs for TriangleSet {
         scaled_hit(&rays.sheared, places)
     }
 
+    // Cold: else the kernels keep their rows in memory for a call in the midst of them, which hardly ever comes.
+    #[cold]
+    #[inline(never)]
     fn flat_hit(&self, pack: usize, lane: usize, ray: &Ray) -> [f32; 3] {
         flat_hit(ray, self.packs[pack].triangle(lane).corners)
     }
