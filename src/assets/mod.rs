@@ -11,15 +11,17 @@ pub mod generate;
 mod load;
 mod memory;
 mod mesh_data;
+mod mesh_file;
 mod normals;
 mod obj;
 mod read;
+mod source;
 
 pub use error::{AssetError, FileLine, Problem};
 pub use file_reader::FileReader;
-pub use load::{
-    LoadedMeshes, MeshFiles, MeshLoader, check_meshes, load_each_mesh, load_meshes, read_obj,
-};
+pub use load::{LoadedMeshes, MeshLoader, check_meshes, load_each_mesh, load_meshes};
 pub use memory::{MemoryShortage, available_memory, expect_memory};
 pub use mesh_data::MeshData;
+pub use mesh_file::read_obj;
 pub use read::{read_file, read_stream};
+pub use source::MeshFiles;

@@ -1,5 +1,7 @@
 //! Files, folders and recipes: what is shared, and the errors when something is missing.
 
+use std::fs;
+
 use super::*;
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
