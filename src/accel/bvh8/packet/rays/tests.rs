@@ -55,7 +55,11 @@ impl PacketKernel for Intervals<'_> {
     fn run<S: Simd, R: Row<N>, const N: usize>(self) -> Option<Met> {
         let Self(rays, node, padding) = self;
         let rays = rays.first_chunk().expect("the largest packet");
+        // Where the opposite rays were.
+        let opposite =
+            rays.map(|ray| Ray { origin: -ray.origin, dir: -ray.dir, t_min: 2.0, ..ray });
         let mut packet = Packet::<S, R, N>::vacant();
+        let _ = packet.load(&opposite, padding);
         let (ends, fits) = packet.load(rays, padding)?;
         if !fits && !packet.cut(padding) {
             return None;
