@@ -1,7 +1,7 @@
 //! Why a mesh that a scene names cannot be loaded.
 
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
@@ -119,4 +119,32 @@ pub enum Problem {
     /// A name that starts with `generate:` and is not that of a generated mesh.
     #[error(transparent)]
     Recipe(#[from] RecipeError),
+}
+
+/// An [`AssetError`] without its reference.
+#[derive(Clone)]
+pub(super) struct LoadFailure {
+    pub(super) problem: Problem,
+    pub(super) place: Option<FileLine>,
+    pub(super) help: Option<String>,
+}
+
+impl LoadFailure {
+    pub(super) fn new(problem: Problem, help: Option<String>) -> Box<Self> {
+        Box::new(Self { problem, place: None, help })
+    }
+
+    pub(super) fn too_large(name: String, shortage: MemoryShortage) -> Box<Self> {
+        let help = "use a mesh of fewer triangles, or let the program use more memory".to_owned();
+        Self::new(Problem::NoMemory { name, shortage }, Some(help))
+    }
+
+    pub(super) fn unreadable(path: &Path, error: &std::io::Error) -> Box<Self> {
+        let reason = error.to_string();
+        Self::new(Problem::Unreadable { path: path.to_owned(), reason }, None)
+    }
+
+    pub(super) fn for_reference(self, reference: usize) -> AssetError {
+        AssetError { reference, problem: self.problem, place: self.place, help: self.help }
+    }
 }

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::deform::{BYTES_OF_TRIANGLE, deform};
-use super::source::{Key, LoadFailure, Source, too_large};
+use super::error::LoadFailure;
+use super::source::{Key, Source};
 use super::{AssetError, MemoryShortage, MeshData, MeshFiles, Problem, expect_memory};
 use crate::description::MeshReference;
 
@@ -118,7 +119,7 @@ fn deform_each(
     let act = |(&(reference, ref mesh), shortage): (&(usize, Arc<MeshData>), _)| {
         let MeshReference { name, deformation, .. } = &references[reference];
         if let Some(shortage) = shortage {
-            let failure = too_large(name.clone(), shortage);
+            let failure = LoadFailure::too_large(name.clone(), shortage);
             return Err(Box::new(failure.for_reference(reference)));
         }
         deform(mesh, deformation).map(Arc::new).ok_or_else(|| {

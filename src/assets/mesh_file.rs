@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::source::{LoadFailure, unreadable};
+use super::error::LoadFailure;
 use super::{AssetError, FileLine, MeshData, Problem, obj, read_file};
 
 /// The mesh in the bytes of a Wavefront OBJ file, which errors call by `path`. Reads no file.
@@ -24,7 +24,7 @@ pub fn read_obj(bytes: Vec<u8>, path: &Path) -> Result<MeshData, Box<AssetError>
 }
 
 pub(super) fn read_mesh(path: &Path) -> Result<MeshData, Box<LoadFailure>> {
-    let bytes = read_file(path).map_err(|error| unreadable(path, &error))?;
+    let bytes = read_file(path).map_err(|error| LoadFailure::unreadable(path, &error))?;
     mesh_of_bytes(bytes, path)
 }
 

@@ -4,9 +4,10 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
+use super::error::LoadFailure;
 use super::generate::{Recipe, generate};
 use super::mesh_file::{mesh_of_bytes, read_mesh};
-use super::{AssetError, FileLine, MemoryShortage, MeshData, Problem};
+use super::{MemoryShortage, MeshData, Problem};
 use crate::pack::Pack;
 
 /// Where the files are that a scene names.
@@ -42,24 +43,6 @@ pub(super) enum Key {
     File(PathBuf),
     Recipe(Recipe),
     Nothing(String),
-}
-
-/// An [`AssetError`] without its reference.
-#[derive(Clone)]
-pub(super) struct LoadFailure {
-    pub(super) problem: Problem,
-    pub(super) place: Option<FileLine>,
-    pub(super) help: Option<String>,
-}
-
-impl LoadFailure {
-    pub(super) fn new(problem: Problem, help: Option<String>) -> Box<Self> {
-        Box::new(Self { problem, place: None, help })
-    }
-
-    pub(super) fn for_reference(self, reference: usize) -> AssetError {
-        AssetError { reference, problem: self.problem, place: self.place, help: self.help }
-    }
 }
 
 impl<'a> Source<'a> {
@@ -108,7 +91,7 @@ impl<'a> Source<'a> {
             Self::Recipe(recipe) => recipe.to_string(),
             Self::Nothing { name, .. } => name.clone(),
         };
-        too_large(name, shortage)
+        LoadFailure::too_large(name, shortage)
     }
 
     pub(super) fn load(&self) -> Result<MeshData, Box<LoadFailure>> {
@@ -127,11 +110,6 @@ impl<'a> Source<'a> {
             Self::File { .. } | Self::Packed { .. } | Self::Nothing { .. } => self.load().map(drop),
         }
     }
-}
-
-pub(super) fn too_large(name: String, shortage: MemoryShortage) -> Box<LoadFailure> {
-    let help = "use a mesh of fewer triangles, or let the program use more memory".to_owned();
-    LoadFailure::new(Problem::NoMemory { name, shortage }, Some(help))
 }
 
 fn find_packed<'a>(
@@ -155,18 +133,13 @@ fn find_file(path: PathBuf) -> Result<Source<'static>, Box<LoadFailure>> {
             let help = similar_name(&path);
             LoadFailure::new(Problem::Missing { path: path.clone() }, Some(help))
         }
-        _ => unreadable(&path, &error),
+        _ => LoadFailure::unreadable(&path, &error),
     })?;
     if canonical.is_dir() {
         let help = "name the .obj file in it".to_owned();
         return Err(LoadFailure::new(Problem::Directory { path }, Some(help)));
     }
     Ok(Source::File { path, canonical })
-}
-
-pub(super) fn unreadable(path: &Path, error: &std::io::Error) -> Box<LoadFailure> {
-    let reason = error.to_string();
-    LoadFailure::new(Problem::Unreadable { path: path.to_owned(), reason }, None)
 }
 
 /// Suggests the file in the folder of a missing one whose name is most like it, if one is.
