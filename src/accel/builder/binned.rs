@@ -25,6 +25,11 @@ use super::terms::Terms;
 /// Parts of at least so many primitives are built in parallel.
 const PARALLEL: usize = 1 << 13;
 
+/// Boxes with a larger share of the root's surface are parted down to single primitives, whatever it costs: layouts put
+/// together what they want to, and know better where rays are (`bvh8/plan.rs`). Two walls of a hall, in one leaf, are
+/// tested by every ray in it.
+const LARGE: f32 = 0.01;
+
 /// Builds a tree over at least one primitive.
 pub(super) fn build(primitives: &impl Bounded, terms: Terms, stages: &mut BuildStages) -> Bvh2 {
     let mut references = stages.time("boxes", || Reference::all(primitives));
@@ -36,7 +41,8 @@ fn tree(references: &mut [Reference], terms: Terms) -> Bvh2 {
         .par_chunks(PARALLEL)
         .map(around)
         .reduce(|| (Corners::EMPTY, NOWHERE), |a, b| (a.0.union(&b.0), both(&a.1, &b.1)));
-    let part = Part { references: &mut *references, first: 0, bounds, centers, terms };
+    let large = LARGE * bounds.half_area();
+    let part = Part { references: &mut *references, first: 0, bounds, centers, large, terms };
     let nodes = grow(part, 0).into_nodes();
     let primitive_indices = references.par_iter().map(Reference::index).collect();
     Bvh2 { nodes, primitive_indices, ..Bvh2::default() }
@@ -62,6 +68,8 @@ struct Part<'a> {
     bounds: Corners,
     /// Only an estimate; of few primitives it means nothing.
     centers: Centers,
+    /// Half of the largest surface that may be a leaf of several primitives.
+    large: f32,
     terms: Terms,
 }
 
@@ -151,9 +159,11 @@ impl<'a> Part<'a> {
     #[inline(always)]
     fn split<S: Simd>(&mut self, depth: u32, scratch: &mut Scratch) -> Option<Halves> {
         let Self { references, centers, terms, .. } = self;
-        let (terms, most) = (*terms, terms.most);
+        let terms = *terms;
         let count = references.len();
-        if count <= terms.unparted() || count <= most && is_dense::<S>(references, &self.bounds) {
+        let is_large = self.bounds.half_area() > self.large;
+        let (most, unparted) = if is_large { (1, 1) } else { (terms.most, terms.unparted()) };
+        if count <= unparted || count <= most && is_dense::<S>(references, &self.bounds) {
             return None;
         }
         if depth < USUAL_DEPTH {
@@ -176,18 +186,13 @@ impl<'a> Part<'a> {
 
     #[inline(always)]
     fn halves(self, (count, bounds, centers): Halves) -> [Self; 2] {
-        let Self { references, first, terms, .. } = self;
+        let Self { references, first, large, terms, .. } = self;
         let (front, back) = references.split_at_mut(count);
-        [
-            Part { references: front, first, bounds: bounds[0], centers: centers[0], terms },
-            Part {
-                references: back,
-                first: first + count as u32,
-                bounds: bounds[1],
-                centers: centers[1],
-                terms,
-            },
-        ]
+        let part = |references, first, half: usize| {
+            let (bounds, centers) = (bounds[half], centers[half]);
+            Part { references, first, bounds, centers, large, terms }
+        };
+        [part(front, first, 0), part(back, first + count as u32, 1)]
     }
 }
 

@@ -3,7 +3,8 @@
 use obvhs::bvh2::Bvh2;
 
 use super::super::{Allowed, Bounded, BuildConfig, BuildStages, OptionInfo, Quality};
-use super::{Builder, reinsert};
+use super::Builder;
+use super::reinsertion::{reinsert, reinsert_largest};
 
 /// A builder, and the share of the nodes that are reinserted.
 #[derive(Clone, Copy, Debug)]
@@ -12,6 +13,8 @@ pub(in super::super) struct TreeChoice {
     quality: Quality,
     /// The share of the nodes that are reinserted in each round; 0 for no reinsertion.
     pub(in super::super) reinserted: f32,
+    /// Whether the largest nodes are reinserted.
+    largest: bool,
     /// Whether several leaves may refer to a primitive.
     cuts: bool,
 }
@@ -21,7 +24,8 @@ impl Builder {
     pub(in super::super) const REINSERTION: OptionInfo = OptionInfo {
         name: "reinsertion",
         allowed: Allowed::Numbers(0, 100),
-        default: "as the quality says: with ploc from medium builds on, with others from slow ones on",
+        default: "as the quality says: with ploc from medium builds on, with others from slow ones on; with sah in medium \
+                  builds the thousand largest nodes",
         summary: "percent of the tree's nodes that are put elsewhere in each round where that is cheaper",
     };
 }
@@ -39,20 +43,24 @@ impl TreeChoice {
         let usual = Self::new(builder, config.quality, cuts);
         let percent = config.options.number(&Builder::REINSERTION);
         let chosen = percent.map(|percent| percent as f32 / 100.0);
-        Self { reinserted: chosen.unwrap_or(usual.reinserted), ..usual }
+        match chosen {
+            Some(reinserted) => Self { reinserted, largest: false, ..usual },
+            None => usual,
+        }
     }
 
     /// A builder, with as much reinsertion as the quality says.
     pub(super) fn new(builder: Builder, quality: Quality, cuts: bool) -> Self {
         let reinserted = match (builder, quality) {
-            // The tree of bins is as good without, and the others are what they are called as long as no
-            // more than a usual build is wanted.
+            // The tree of bins is as good with its largest nodes alone, and the others are what they are called as
+            // long as no more than a usual build is wanted.
             (Builder::Ploc, _) | (_, Quality::Slow | Quality::Slowest) => {
                 quality.parameters().reinsertion_batch_ratio
             }
             _ => 0.0,
         };
-        Self { builder, quality, reinserted, cuts }
+        let largest = builder == Builder::Sah && quality == Quality::Medium;
+        Self { builder, quality, reinserted, largest, cuts }
     }
 
     /// Builds a tree over at least one primitive, for leaves in which `pack` primitives, a power of two,
@@ -68,6 +76,9 @@ impl TreeChoice {
         let most = if pack > 1 && self.reinserted == 0.0 { most } else { 1 };
         let mut tree = self.builder.tree(primitives, [pack, most], self.quality, self.cuts, stages);
         reinsert(&mut tree, self.reinserted, stages);
+        if self.largest {
+            reinsert_largest(&mut tree, stages);
+        }
         tree
     }
 }

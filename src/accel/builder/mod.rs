@@ -18,8 +18,8 @@
 //! Of the trees of the last two only the form is taken (`walked.rs`), so that they are compared by the same formula and
 //! under the same walk as all others; as they are shipped, the same libraries are peers.
 //!
-//! Each can be improved by obvhs's reinsertion (Meister, Bittner: *Parallel Reinsertion for Bounding Volume Hierarchy
-//! Optimization*, 2018), as the option or the quality says (`choice.rs`). None depends on the number of threads.
+//! Each can be improved by reinsertion (`reinsertion.rs`), as the option or the quality says (`choice.rs`). None
+//! depends on the number of threads.
 
 mod all_places;
 mod binned;
@@ -32,6 +32,7 @@ mod median;
 #[cfg(feature = "libraries")]
 mod parry;
 mod reference;
+mod reinsertion;
 mod sorted;
 mod spatial;
 mod split;
@@ -45,7 +46,6 @@ mod walked;
 
 use glam::Vec3A;
 use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
 use rayon::prelude::*;
 
@@ -59,6 +59,7 @@ use super::{Allowed, Bounded, BuildOptions, BuildStages, OptionInfo, Quality};
 const USUAL_DEPTH: u32 = 96;
 
 pub(super) use self::choice::TreeChoice;
+pub(super) use self::reinsertion::reinsert;
 
 /// How a tree is built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -232,13 +233,6 @@ impl Bounded for Boxes {
 
     fn mean_point(&self) -> Vec3A {
         self.total_bounds().center()
-    }
-}
-
-/// Improves a tree by reinserting a share of its nodes again and again.
-pub(super) fn reinsert(tree: &mut Bvh2, share: f32, stages: &mut BuildStages) {
-    if share > 0.0 {
-        stages.time("reinsertion", || ReinsertionOptimizer::default().run(tree, share, None));
     }
 }
 

@@ -24,6 +24,7 @@ mod coherence;
 mod collapse;
 mod diverged;
 mod kernels;
+mod meeting;
 mod node;
 mod packet;
 mod plan;

@@ -1,8 +1,9 @@
 //! Which nodes of a binary tree become nodes of a wide one, and which become leaves.
 //!
-//! Chosen by dynamic programming on the surface area heuristic: for every binary node and every
-//! number of roots, the cheapest forest that can replace it. After Ylitie, Karras, Laine: *Efficient
-//! Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs*, 2017, section 3.1.
+//! Chosen by dynamic programming: for every binary node and every number of roots, the cheapest forest that
+//! can replace it. After Ylitie, Karras, Laine: *Efficient Incoherent Ray Traversal on GPUs Through
+//! Compressed Wide BVHs*, 2017, section 3.1. What a node costs is weighed by how many rays meet its box
+//! (`meeting.rs`).
 //!
 //! A node's choices depend on its children's alone, so subtrees are planned in parallel, and how
 //! they are shared among threads changes nothing. Costs are forgotten as soon as the parent's are
@@ -16,15 +17,13 @@ use smallvec::SmallVec;
 use crate::math::{Lanes as _, Mask as _};
 use crate::simd::{Kernel, Row as _, Simd, dispatch};
 
+use super::meeting::Meeting;
 use super::node::WIDTH;
 
 /// Visiting a node costs as much as testing a pack of eight primitives at once; ratios between 0.6
 /// and 1.5 give trees of the same speed.
 pub(super) const NODE_COST: f32 = 1.0;
 pub(super) const PACK_COST: f32 = 1.0;
-
-/// Areas are cut to this, so that no sum of costs leaves what `f32` can hold.
-const LARGEST_AREA: f32 = 1e30;
 
 /// Down to this depth the children of a node are planned in parallel.
 const PARALLEL_DEPTH: u32 = 9;
@@ -80,6 +79,7 @@ impl<'a> Plan<'a> {
         let planner = Planner {
             tree,
             leaves,
+            meeting: Meeting::within(tree.nodes[0].aabb()),
             choices: std::iter::repeat_with(blank).take(tree.nodes.len()).collect(),
         };
         planner.plan(0, 0);
@@ -132,6 +132,7 @@ impl Choices {
 struct Planner<'a> {
     tree: &'a Bvh2,
     leaves: Leaves,
+    meeting: Meeting,
     choices: Vec<AtomicU32>,
 }
 
@@ -150,8 +151,8 @@ impl Planner<'_> {
     #[inline(always)]
     fn leaf(&self, node: u32) -> Forests {
         let node = &self.tree.nodes[node as usize];
-        let area = node.aabb().half_area().min(LARGEST_AREA);
-        let mut cost = [area * self.packs(node.prim_count) * PACK_COST; WIDTH];
+        let rays = self.meeting.of(node.aabb());
+        let mut cost = [rays * self.packs(node.prim_count) * PACK_COST; WIDTH];
         cost[WIDTH - 1] = f32::INFINITY;
         Forests { cost, count: node.prim_count }
     }
@@ -164,12 +165,12 @@ impl Planner<'_> {
 
     #[inline(always)]
     fn inner<S: Simd>(&self, node: u32, left: &Forests, right: &Forests) -> Forests {
-        let area = self.tree.nodes[node as usize].aabb().half_area().min(LARGEST_AREA);
+        let rays = self.meeting.of(self.tree.nodes[node as usize].aabb());
         let count = left.count + right.count;
         let fits = count <= self.leaves.most;
-        let as_leaf = if fits { area * self.packs(count) * PACK_COST } else { f32::INFINITY };
+        let as_leaf = if fits { rays * self.packs(count) * PACK_COST } else { f32::INFINITY };
         let costs = [&left.cost, &right.cost];
-        let (cost, choices) = cheapest::<S>(costs, as_leaf, area * NODE_COST);
+        let (cost, choices) = cheapest::<S>(costs, as_leaf, rays * NODE_COST);
         self.choices[node as usize].store(choices.0, Ordering::Relaxed);
         Forests { cost, count }
     }
@@ -274,9 +275,9 @@ mod tests {
 
     /// The cost of the cheapest collapse by trying all of them, without memory.
     fn least(tree: &Bvh2, node: u32, roots: usize) -> f32 {
-        let area = tree.nodes[node as usize].aabb().half_area();
+        let rays = Meeting::within(tree.nodes[0].aabb()).of(tree.nodes[node as usize].aabb());
         if tree.nodes[node as usize].is_leaf() {
-            return area * PACK_COST;
+            return rays * PACK_COST;
         }
         let [left, right] = pair(tree, node);
         let part = |count: usize| {
@@ -285,7 +286,7 @@ mod tests {
                 .map(|share| least(tree, left, share) + least(tree, right, count - share))
                 .fold(f32::INFINITY, f32::min)
         };
-        let mut best = area * NODE_COST + part(WIDTH);
+        let mut best = rays * NODE_COST + part(WIDTH);
         for count in 2..=roots {
             best = best.min(part(count));
         }
@@ -298,7 +299,8 @@ mod tests {
         // Leaves of one primitive, so that inner nodes alone are chosen.
         let leaves = Leaves { most: 1, block: 8 };
         let choices = tree.nodes.iter().map(|_| AtomicU32::new(LEAF)).collect();
-        let planner = Planner { tree: &tree, leaves, choices };
+        let meeting = Meeting::within(tree.nodes[0].aabb());
+        let planner = Planner { tree: &tree, leaves, meeting, choices };
         let in_sequence = dispatch(Sequence { planner: &planner, root: 0 });
         for forests in [planner.plan(0, 0), in_sequence] {
             for roots in 1..WIDTH {
