@@ -73,9 +73,9 @@ fn largest(tree: &Bvh2) -> Vec<u32> {
         && let Some((_, node)) = open.pop()
     {
         largest.push(node);
-        let Bvh2Node { first_index, .. } = tree.nodes[node as usize];
-        if !tree.nodes[node as usize].is_leaf() {
-            open.extend([entry(first_index), entry(first_index + 1)]);
+        let node = &tree.nodes[node as usize];
+        if !node.is_leaf() {
+            open.extend([entry(node.first_index), entry(node.first_index + 1)]);
         }
     }
     largest.split_off(1)
