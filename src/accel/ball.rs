@@ -21,7 +21,7 @@ use std::ops::{ControlFlow, Range};
 use glam::{DVec3, Vec3};
 
 use crate::counters::Counters;
-use crate::math::{BoxRay, Ray};
+use crate::math::{Aabb, BoxRay, Ray};
 
 use super::save::expect_dense;
 use super::sphere_ray::SphereRay;
@@ -101,12 +101,50 @@ impl Portable for BoundingBall {
 
 impl BoundingBall {
     fn around(primitives: &impl Bounded) -> Self {
-        let center = Vec3::from(primitives.mean_point()).as_dvec3();
+        let boxes = || (0..primitives.count()).map(|i| primitives.bounds(i));
+        // A mean lies among the primitives; one that was read may not. From far away the test of the ball is too rough.
+        let whole = boxes().fold(Aabb::EMPTY, Aabb::union);
+        let center = primitives.mean_point().max(whole.min).min(whole.max);
+        let center = Vec3::from(center).as_dvec3();
         let distance = |p: Vec3| p.as_dvec3().distance_squared(center);
-        let radius_squared = (0..primitives.count())
-            .flat_map(|i| primitives.bounds(i).corners())
+        let radius_squared = boxes()
+            .flat_map(|bounds| bounds.corners())
             .map(|corner| distance(corner.into()))
             .fold(0.0, f64::max);
         Self { center, radius: radius_squared.sqrt(), count: primitives.count() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3A;
+
+    use super::*;
+
+    /// A box whose mean point is said to be somewhere.
+    struct Said(Vec3A);
+
+    impl Bounded for Said {
+        fn count(&self) -> u32 {
+            1
+        }
+
+        fn bounds(&self, _: u32) -> Aabb {
+            Aabb { min: Vec3A::ZERO, max: Vec3A::ONE }
+        }
+
+        fn mean_point(&self) -> Vec3A {
+            self.0
+        }
+    }
+
+    #[test]
+    fn a_mean_far_outside_does_not_make_the_ball_large() {
+        let ball = |mean: [f32; 3]| BoundingBall::around(&Said(Vec3A::from_array(mean)));
+        let inside = ball([0.5, 0.25, 1.0]);
+        assert_eq!(inside.center, DVec3::new(0.5, 0.25, 1.0));
+        let outside = ball([0.5, -1e26, f32::INFINITY]);
+        assert_eq!(outside.center, DVec3::new(0.5, 0.0, 1.0));
+        assert_eq!(outside.radius, 2.25f64.sqrt());
     }
 }

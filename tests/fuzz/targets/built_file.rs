@@ -2,7 +2,7 @@
 //! hits of none at all.
 #![no_main]
 
-use libfuzzer_sys::fuzz_target;
+use libfuzzer_sys::{fuzz_mutator, fuzz_target};
 use srt::accel::{Answers, BuildConfig, Scratch};
 use srt::built_file::{BuiltScene, Program};
 use srt::math::{Hit, Ray};
@@ -21,7 +21,11 @@ const FOR_EACH_BYTE: usize = 24;
 /// Rays along each side of the picture.
 const SIDE: u32 = 6;
 
-fuzz_target!(|data: &[u8]| {
+fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
+    srt_fuzz::mutate_floats(data, size, max_size, seed)
+});
+
+fuzz_target!(init: srt_fuzz::work_on_this_thread(), |data: &[u8]| {
     let program = Program { version: "fuzz".to_owned(), sources: [0; 32] };
     let read = |bytes: &[u8]| {
         let (built, used) = peak(|| read(&program, bytes));

@@ -16,9 +16,7 @@ const BUNDLES: usize = 2;
 
 fuzz_target!(
     init: {
-        // On this thread alone: a build that waits for another takes many times as long.
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread();
-        pool.build_global().expect("the first pool");
+        srt_fuzz::work_on_this_thread();
         choices();
     },
     |data: &[u8]| {
