@@ -5,7 +5,7 @@
 //! nodes alone are reinserted here: they are what most rays meet, and what a build from the top chooses with the least
 //! knowledge of what is below.
 
-use std::collections::{BinaryHeap, HashSet};
+use std::collections::{BTreeSet, BinaryHeap};
 
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
@@ -18,6 +18,9 @@ use super::super::BuildStages;
 
 /// So many nodes, those with the largest surfaces, are sought a better place for.
 const LARGEST: usize = 1000;
+
+/// But no more than one of so many: a small tree is built quickly, and gains as much from as small a part of it.
+const ONE_OF: usize = 16;
 
 /// The most rounds of that. On scans no node finds a better place after four.
 const ROUNDS: usize = 8;
@@ -49,7 +52,7 @@ fn reinsert_once(tree: &mut Bvh2) -> bool {
     let mut found: Vec<Reinsertion> = found.filter(|found| found.area_diff > 0.0).collect();
     // The best come first; no two are of the same node, so that the order is one.
     found.sort_unstable_by(|a, b| b.area_diff.total_cmp(&a.area_diff).then(a.from.cmp(&b.from)));
-    let mut touched = HashSet::new();
+    let mut touched = BTreeSet::new();
     for &Reinsertion { from, to, .. } in &found {
         // What is known of a place holds as long as the nodes beside it have not moved.
         let parent = |node: u32| tree.parents[node as usize];
@@ -67,9 +70,10 @@ fn reinsert_once(tree: &mut Bvh2) -> bool {
 fn largest(tree: &Bvh2) -> Vec<u32> {
     // Surfaces are positive: their bits are in the same order.
     let entry = |node: u32| (tree.nodes[node as usize].aabb().half_area().to_bits(), node);
-    let mut largest = Vec::with_capacity(LARGEST);
+    let most = LARGEST.min(tree.nodes.len() / ONE_OF);
+    let mut largest = Vec::with_capacity(most + 1);
     let mut open = BinaryHeap::from([entry(0)]);
-    while largest.len() <= LARGEST
+    while largest.len() <= most
         && let Some((_, node)) = open.pop()
     {
         largest.push(node);
@@ -145,7 +149,7 @@ mod tests {
             let found: Vec<f32> = largest(&tree).iter().map(area).collect();
             let mut all: Vec<f32> = (1..tree.nodes.len() as u32).map(|node| area(&node)).collect();
             all.sort_unstable_by(|a, b| b.total_cmp(a));
-            all.truncate(LARGEST);
+            all.truncate(LARGEST.min(tree.nodes.len() / ONE_OF));
             assert_eq!(found, all);
         }
     }
