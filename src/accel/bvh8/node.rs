@@ -179,6 +179,14 @@ impl Node {
         f32::from_bits(self.row(place as usize)[lane % WIDTH])
     }
 
+    /// The smallest and the largest corner of a child's box.
+    #[inline(always)]
+    pub(super) fn corners(&self, lane: usize) -> [[f32; 3]; 2] {
+        let [x, y, z] = near_planes(0);
+        let plane = |place| self.plane(place, lane);
+        [[plane(x), plane(y), plane(z)], [plane(x ^ FAR), plane(y ^ FAR), plane(z ^ FAR)]]
+    }
+
     /// The children's words.
     #[inline(always)]
     pub(super) fn children(&self) -> &[u32; WIDTH] {
@@ -222,8 +230,8 @@ impl Node {
 
     /// A child's box.
     pub(super) fn child_bounds(&self, lane: usize) -> Aabb {
-        let corner = |octant| Vec3A::from_array(near_planes(octant).map(|at| self.plane(at, lane)));
-        Aabb { min: corner(0), max: corner(0b111) }
+        let [min, max] = self.corners(lane).map(Vec3A::from_array);
+        Aabb { min, max }
     }
 
     /// The box around all children.

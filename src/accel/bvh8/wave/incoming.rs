@@ -9,7 +9,8 @@ use crate::simd::{Row as _, Simd};
 
 use super::super::diverged::{Diverged, DivergedRay};
 use super::super::slab_ray::{LARGEST_PRODUCT, SlabTerms};
-use super::slot::{AT_ROOT, near_plane, order};
+use super::root::Columns;
+use super::slot::{AT_ROOT, Slot, near_plane, order};
 
 /// Rays that are not yet in flight.
 pub(super) struct Incoming<'a> {
@@ -31,7 +32,7 @@ pub(super) struct Eight {
     number: usize,
 }
 
-/// The terms of eight rays: the first two rows of their [`Slot`](super::slot::Slot)s.
+/// The terms of eight rays: the first two rows of their [`Slot`]s.
 pub(super) struct Terms<S: Simd> {
     pub(super) near: [S::F8; PACK],
     pub(super) far: [S::F8; PACK],
@@ -41,27 +42,34 @@ pub(super) struct Terms<S: Simd> {
 
 impl<S: Simd> Terms<S> {
     /// Works out the terms of eight rays: those of [`SlabRay::new`](super::super::slab_ray::SlabRay::new), and those of
-    /// the primitives' formula.
+    /// the primitives' formula. The former come by ray and by axis.
     #[inline(always)]
     pub(super) fn new<K: Packs>(
         index: &[u32; PACK],
         rays: &[Ray],
         padding: Padding,
         formula: &mut [K::Ray; PACK],
-    ) -> Self {
-        let (terms, [origin, dir, inv_dir]) = Self::of_slabs(index, rays, padding);
-        K::eight_rays::<S>(&origin, &dir, &inv_dir, formula);
-        terms
+    ) -> (Self, Columns<S>) {
+        let (terms, columns, [origin, dir]) = Self::of_slabs(index, rays, padding);
+        K::eight_rays::<S>(&origin, &dir, &columns.inv_dir, formula);
+        (terms, columns)
     }
 
-    /// Works out what the slab test needs. Returns origins, directions, and 1/direction, too.
+    /// Writes one of them to the slot in which its ray begins.
+    #[inline(always)]
+    pub(super) fn write<R>(&self, lane: usize, slot: &mut Slot<R>) {
+        self.near[lane % PACK].store(&mut slot.near);
+        self.far[lane % PACK].store(&mut slot.far);
+    }
+
+    /// Works out what the slab test needs. Returns origins and directions, too.
     #[inline(always)]
     #[allow(clippy::needless_range_loop, reason = "wide values do not go through iterators")]
-    fn of_slabs(
+    pub(super) fn of_slabs(
         &[a, b, c, d, e, f, g, h]: &[u32; PACK],
         rays: &[Ray],
         padding: Padding,
-    ) -> (Self, [Lanes3<S::F8>; 3]) {
+    ) -> (Self, Columns<S>, [Lanes3<S::F8>; 2]) {
         let [ox, oy, oz, t_min, dx, dy, dz, t_max] = S::transpose_eight([
             S::F8::load(&rays[a as usize].to_array()),
             S::F8::load(&rays[b as usize].to_array()),
@@ -77,6 +85,7 @@ impl<S: Simd> Terms<S> {
         let inv_dir = [one / dx, one / dy, one / dz];
         let pad = padding.of_rays(ox.abs().max(oy.abs()).max(oz.abs()));
         let (mut near, mut far, mut planes) = (origin, origin, origin);
+        let (mut low, mut high) = (origin, origin);
         let mut usual = u32::MAX;
         let mut orders = [zero; 8];
         for octant in 0..8 {
@@ -93,6 +102,8 @@ impl<S: Simd> Terms<S> {
             let product = padding.reach(origin[axis], pad) * inv_dir[axis].abs();
             usual &= product.le(S::F8::splat(LARGEST_PRODUCT)).bits();
             (near[axis], far[axis]) = terms.offsets::<S>(product);
+            low[axis] = far[axis].select(backwards, near[axis]);
+            high[axis] = near[axis].select(backwards, far[axis]);
             let [ahead, back] = [near_plane(axis, false), near_plane(axis, true)];
             planes[axis] = S::F8::splat(back).select(backwards, S::F8::splat(ahead));
             // Half as many octants are left.
@@ -106,7 +117,8 @@ impl<S: Simd> Terms<S> {
         let at_root = S::F8::splat(AT_ROOT);
         let [a, b, c] = planes;
         let far = S::transpose_eight([x, y, z, at_root, a, b, c, orders[0]]);
-        (Self { near, far, usual }, [origin, dir, inv_dir])
+        let columns = Columns { inv_dir, low, high, searched: [t_min, t_max] };
+        (Self { near, far, usual }, columns, [origin, dir])
     }
 }
 
@@ -182,7 +194,7 @@ mod tests {
         #[inline(always)]
         fn run<S: Simd>(self) -> Prepared {
             let Self(index, rays) = self;
-            let (terms, _) = Terms::<S>::of_slabs(index, rays, PADDING);
+            let (terms, ..) = Terms::<S>::of_slabs(index, rays, PADDING);
             let mut rows = [[[0.0; PACK]; 2]; PACK];
             for (lane, [near, far]) in rows.iter_mut().enumerate() {
                 terms.near[lane].store(near);

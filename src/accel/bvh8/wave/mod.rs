@@ -4,19 +4,22 @@
 //! waits. Here each ray is in a list: of rays at a node, at a leaf, with a candidate for the
 //! closest hit, or done. A phase goes through its list, does the same work for each ray, and notes what
 //! the ray has on top of its stack then; eight at a time, the rays go to the lists that they belong to
-//! (`list.rs`). The rays of a phase do not depend on each other, so the processor works on several at once.
+//! (`list.rs`). The rays of a phase do not depend on each other, so the processor works on several at once. The root
+//! is met before, by eight rays together, and those that pass by its children never take a slot (`root.rs`).
 
 mod incoming;
 mod list;
+mod root;
 mod slot;
 
 use crate::accel::{PACK, Packs, Primitives, Query, Search, search_one};
 use crate::counters::Counters;
-use crate::math::{BoxRay, NONE, Ray};
-use crate::simd::{Row as _, Simd};
+use crate::math::{BoxRay, Hit, NONE, Ray, ones};
+use crate::simd::Simd;
 
 use self::incoming::{Eight, Incoming, Terms};
 use self::list::{List, Places};
+use self::root::Root;
 use self::slot::Slot;
 use super::candidates::Candidates;
 use super::diverged::Diverged;
@@ -62,6 +65,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
 ) {
     let any = const { matches!(Q::SEARCH, Search::First) };
     let tree = &task.tree.nodes[..];
+    let Some(root) = tree.first().map(Root::new) else { return };
     let Memory { slots, formulas, candidates, lists: [a, b, c, d] } = memory;
     let (mut nodes, mut leaves) = (List::new(a), List::new(b));
     let (mut improved, mut done) = (List::new(c), List::new(d));
@@ -75,26 +79,49 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
         while done.length >= PACK {
             let Some(eight) = incoming.next_eight() else { break };
             let ids = done.take_last(eight.count);
-            for &id in &ids[..eight.count] {
+            let Eight { index, count, .. } = eight;
+            let (terms, columns) =
+                Terms::<S>::new::<P::Packs>(&index, rays, task.padding, formulas);
+            let all = (1 << count) - 1;
+            if terms.usual & all == all && incoming.are_fresh(&eight) {
+                if C::COUNTS {
+                    counters.boxes((count * root.children) as u32);
+                }
+                // Which ones miss cannot be foreseen: all do, until those that take a slot are answered from it.
+                for &ray in &index {
+                    let ray = ray as usize;
+                    answers[ray] = task.query.of_one(&rays[ray], &Hit::MISS);
+                }
+                let entered = root.enter::<S>(&columns);
+                let (mut used, mut next, mut taken) = ([0; PACK], [Child::ABSENT.0; PACK], 0);
+                for lane in ones(entered.any & all) {
+                    // From the last on: those that are left stay where they are in the list.
+                    let id = ids[(count - 1 - taken) % PACK];
+                    let slot = &mut slots[id as usize % RAYS];
+                    answer::<P, Q>(slot, task, rays, answers);
+                    terms.write(lane, slot);
+                    slot.formula = formulas[lane % PACK];
+                    slot.take_up(index[lane % PACK]);
+                    let first = slot.enter_root::<S>(root.node, entered.begins[lane % PACK], any);
+                    (used[taken % PACK], next[taken % PACK]) = (id, first.0);
+                    taken += 1;
+                }
+                List::send_eight::<S>((&used, &next), taken, &mut nodes, &mut leaves);
+                done.length += count - taken;
+                continue;
+            }
+            for &id in &ids[..count] {
                 answer::<P, Q>(&slots[id as usize % RAYS], task, rays, answers);
             }
-            let Eight { index, count, .. } = eight;
-            let terms = Terms::<S>::new::<P::Packs>(&index, rays, task.padding, formulas);
             #[allow(
                 clippy::needless_range_loop,
                 reason = "wide values do not go through iterators"
             )]
             for lane in 0..PACK {
                 let slot = &mut slots[ids[lane] as usize % RAYS];
-                terms.near[lane].store(&mut slot.near);
-                terms.far[lane].store(&mut slot.far);
+                terms.write(lane, slot);
                 slot.formula = formulas[lane];
                 slot.take_up(index[lane]);
-            }
-            let all = (1 << count) - 1;
-            if terms.usual & all == all && incoming.are_fresh(&eight) {
-                nodes.append_eight(&ids, Child::ROOT, count);
-                continue;
             }
             for (lane, &id) in ids[..count].iter().enumerate() {
                 let slot = &mut slots[id as usize % RAYS];

@@ -131,11 +131,39 @@ impl<R> Slot<R> {
     /// Puts the children of a node that the ray enters on its stack, the nearest last, and takes the top.
     #[inline(always)]
     pub(super) fn enter<S: Simd>(&mut self, node: &Node) -> Child {
-        let (begin, end) = self.intervals::<S>(node);
-        let height = self.height();
+        let intervals = self.intervals::<S>(node);
+        self.push::<S>(node, intervals, self.height())
+    }
+
+    /// Puts the children of a node that the ray enters on its stack, in any order, and takes the top.
+    #[inline(always)]
+    pub(super) fn enter_any<S: Simd>(&mut self, node: &Node) -> Child {
+        let intervals = self.intervals::<S>(node);
+        self.push_any::<S>(node, intervals, self.height())
+    }
+
+    /// [`enter`](Self::enter) at the root, where the ray begins; for `any` hit [`enter_any`](Self::enter_any). Where it
+    /// enters the children is known, and infinite where it does not.
+    #[inline(always)]
+    pub(super) fn enter_root<S: Simd>(&mut self, root: &Node, begins: S::F8, any: bool) -> Child {
+        let intervals = (begins, S::F8::splat(f32::MAX));
+        match any {
+            true => self.push_any::<S>(root, intervals, AT_ROOT.to_bits() as usize),
+            false => self.push::<S>(root, intervals, AT_ROOT.to_bits() as usize),
+        }
+    }
+
+    /// Puts the children whose intervals are not empty on the stack, which is so high, and takes the top.
+    #[inline(always)]
+    fn push<S: Simd>(
+        &mut self,
+        node: &Node,
+        (begins, ends): (S::F8, S::F8),
+        height: usize,
+    ) -> Child {
         let entered = S::enter(
-            begin,
-            end,
+            begins,
+            ends,
             node.children(),
             node.orders(),
             self.far[ORDER].to_bits(),
@@ -145,11 +173,15 @@ impl<R> Slot<R> {
         self.take_top(height + entered as usize)
     }
 
-    /// Puts the children of a node that the ray enters on its stack, in any order, and takes the top.
+    /// [`push`](Self::push) in any order.
     #[inline(always)]
-    pub(super) fn enter_any<S: Simd>(&mut self, node: &Node) -> Child {
-        let (begin, end) = self.intervals::<S>(node);
-        let (entered, height) = (begin.le(end).bits(), self.height());
+    fn push_any<S: Simd>(
+        &mut self,
+        node: &Node,
+        (begins, ends): (S::F8, S::F8),
+        height: usize,
+    ) -> Child {
+        let entered = begins.le(ends).bits();
         S::compress(entered, node.children(), row_mut(&mut self.entries.0, height));
         self.take_top(height + entered.count_ones() as usize)
     }
