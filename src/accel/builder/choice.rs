@@ -25,7 +25,7 @@ impl Builder {
         name: "reinsertion",
         allowed: Allowed::Numbers(0, 100),
         default: "as the quality says: with ploc from medium builds on, with others from slow ones on; with sah in medium \
-                  builds the thousand largest nodes",
+                  builds up to a thousand of the largest nodes",
         summary: "percent of the tree's nodes that are put elsewhere in each round where that is cheaper",
     };
 }

@@ -34,8 +34,8 @@ pub(super) struct Eight {
 
 /// The terms of eight rays: the first two rows of their [`Slot`]s.
 pub(super) struct Terms<S: Simd> {
-    pub(super) near: [S::F8; PACK],
-    pub(super) far: [S::F8; PACK],
+    near: [S::F8; PACK],
+    far: [S::F8; PACK],
     /// A bit for each ray that has usual terms, because it moves enough along all axes.
     pub(super) usual: u32,
 }
@@ -55,11 +55,20 @@ impl<S: Simd> Terms<S> {
         (terms, columns)
     }
 
-    /// Writes one of them to the slot in which its ray begins.
+    /// Begins one of them in a slot: its terms, those of the formula, and its number.
     #[inline(always)]
-    pub(super) fn write<R>(&self, lane: usize, slot: &mut Slot<R>) {
-        self.near[lane % PACK].store(&mut slot.near);
-        self.far[lane % PACK].store(&mut slot.far);
+    pub(super) fn begin<R: Copy>(
+        &self,
+        lane: usize,
+        slot: &mut Slot<R>,
+        formulas: &[R; PACK],
+        index: &[u32; PACK],
+    ) {
+        let lane = lane % PACK;
+        self.near[lane].store(&mut slot.near);
+        self.far[lane].store(&mut slot.far);
+        slot.formula = formulas[lane];
+        slot.take_up(index[lane]);
     }
 
     /// Works out what the slab test needs. Returns origins and directions, too.

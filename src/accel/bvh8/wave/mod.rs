@@ -99,9 +99,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
                     let id = ids[(count - 1 - taken) % PACK];
                     let slot = &mut slots[id as usize % RAYS];
                     answer::<P, Q>(slot, task, rays, answers);
-                    terms.write(lane, slot);
-                    slot.formula = formulas[lane % PACK];
-                    slot.take_up(index[lane % PACK]);
+                    terms.begin(lane, slot, formulas, &index);
                     let first = slot.enter_root::<S>(root.node, entered.begins[lane % PACK], any);
                     (used[taken % PACK], next[taken % PACK]) = (id, first.0);
                     taken += 1;
@@ -113,15 +111,8 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
             for &id in &ids[..count] {
                 answer::<P, Q>(&slots[id as usize % RAYS], task, rays, answers);
             }
-            #[allow(
-                clippy::needless_range_loop,
-                reason = "wide values do not go through iterators"
-            )]
-            for lane in 0..PACK {
-                let slot = &mut slots[ids[lane] as usize % RAYS];
-                terms.write(lane, slot);
-                slot.formula = formulas[lane];
-                slot.take_up(index[lane]);
+            for (lane, &id) in ids.iter().enumerate() {
+                terms.begin(lane, &mut slots[id as usize % RAYS], formulas, &index);
             }
             for (lane, &id) in ids[..count].iter().enumerate() {
                 let slot = &mut slots[id as usize % RAYS];
