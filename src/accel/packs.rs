@@ -1,7 +1,7 @@
 //! Primitives in packs of eight, for kernels that test eight primitives, or a packet of rays, at once.
 
 use crate::math::{Lanes, Lanes3, Mask as _, Ray};
-use crate::simd::Simd;
+use crate::simd::{Cache, Simd};
 
 /// Lanes of a pack.
 pub const PACK: usize = 8;
@@ -87,7 +87,7 @@ pub trait Packs: Sync {
     fn boxes<S: Simd>(&self, pack: usize) -> [Lanes3<S::F8>; 2];
 
     /// Prefetches a pack that will be tested soon.
-    fn prefetch(&self, pack: usize);
+    fn prefetch(&self, pack: usize, into: Cache);
 
     /// Bytes of all packs.
     fn bytes(&self) -> u64;
@@ -146,7 +146,7 @@ impl Packs for NoPacks {
         unreachable!("{NONE}")
     }
 
-    fn prefetch(&self, _: usize) {
+    fn prefetch(&self, _: usize, _: Cache) {
         unreachable!("{NONE}")
     }
 

@@ -16,7 +16,7 @@ use crate::counters::Counters;
 use crate::description::Shape;
 use crate::math::{Aabb, BoxRay, NONE, Padding, Ray, RayToObject};
 use crate::shapes::{Instance, Single, TriangleSet};
-use crate::simd::{ask_for_huge_pages, prefetch};
+use crate::simd::{Cache, ask_for_huge_pages, prefetch};
 
 use super::mesh_rays::{test_mesh, test_mesh_many};
 use super::{Object, Scene, SceneChange};
@@ -97,7 +97,7 @@ impl<A: Accel> ObjectList<A> {
         let stored = |(slot, &id): (usize, &u32)| {
             // Slots are in another order than ids: what comes next is not in the caches.
             if let Some(&next) = order.get(slot + AHEAD) {
-                prefetch(&scene.objects[next as usize]);
+                prefetch(&scene.objects[next as usize], Cache::First);
             }
             let object = &scene.objects[id as usize];
             let form = match object.shape {

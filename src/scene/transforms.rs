@@ -6,7 +6,7 @@ use glam::DAffine3;
 use rayon::prelude::*;
 
 use crate::math::Transform;
-use crate::simd::prefetch;
+use crate::simd::{Cache, prefetch};
 
 /// The most transforms that are kept as they are used. Of the others the matrix alone is kept, less
 /// than half as much; to invert it takes some nanoseconds of each hit.
@@ -44,9 +44,9 @@ impl Transforms {
     pub(super) fn prefetch(&self, index: u32) {
         let index = index as usize;
         if let Some(transform) = self.whole.get(index) {
-            prefetch(&transform.world_from_object);
+            prefetch(&transform.world_from_object, Cache::First);
         } else if let Some(matrix) = self.matrices.get(index - self.whole.len()) {
-            prefetch(matrix);
+            prefetch(matrix, Cache::First);
         }
     }
 

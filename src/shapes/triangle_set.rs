@@ -14,7 +14,7 @@ use crate::accel::{Bounded, PACK, PackHits, Packs, Primitives, Query, Search};
 use crate::counters::Counters;
 use crate::math::slab::not_before;
 use crate::math::{Aabb, BoxRay, Hit, Lanes, Lanes3, Mask as _, NONE, Padding, Ray, ones, within};
-use crate::simd::{Row, Simd, prefetch};
+use crate::simd::{Cache, Row, Simd, prefetch};
 
 use self::pack::{PRIM, Pack, load3, pack, packs_of};
 use super::triangle::{flat_hit, scaled_hit};
@@ -239,7 +239,7 @@ impl Primitives for TriangleSet {
         self.packs = pack(order.len(), |slot| {
             // Triangles come from all over the mesh: what is two packs ahead is on its way meanwhile.
             if let Some(&ahead) = from(slot + 2 * PACK) {
-                prefetch(&self.packs[ahead as usize / PACK]);
+                prefetch(&self.packs[ahead as usize / PACK], Cache::First);
             }
             from(slot).map(|&from| self.slot(from))
         });
@@ -330,8 +330,8 @@ impl Packs for TriangleSet {
     }
 
     #[inline(always)]
-    fn prefetch(&self, pack: usize) {
-        prefetch(&self.packs[pack]);
+    fn prefetch(&self, pack: usize, into: Cache) {
+        prefetch(&self.packs[pack], into);
     }
 
     fn bytes(&self) -> u64 {

@@ -17,5 +17,6 @@ mod x86;
 
 pub(crate) use huge_pages::ask_for_huge_pages;
 pub use isa::{Isa, IsaError, Kernel, dispatch};
+pub use prefetch::Cache;
 pub(crate) use prefetch::prefetch;
 pub use row::{LANES, LARGEST_PACKET, PacketKernel, Row, Simd, splat3};

@@ -99,6 +99,7 @@ impl<R: Copy + Default> Memory<R> {
         let Self { wave, packet, incoherent, diverged } = self;
         incoherent.clear();
         diverged.clear();
+        packet.start_slice();
         let (packets, rest) = rays.as_chunks::<N>();
         let (of_packets, _) = answers.as_chunks_mut::<N>();
         // One for all packets: it is 3.6 kB, too much to clear or to copy for each.

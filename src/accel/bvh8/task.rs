@@ -2,19 +2,35 @@
 
 use crate::accel::{Packs, Primitives, Query};
 use crate::math::Padding;
-use crate::simd::prefetch;
+use crate::simd::{Cache, prefetch};
 
 use super::Bvh8;
 use super::node::Child;
 
-/// Bytes that fit into the cache of a core, about; what is larger comes from one that is farther away.
-const CORE_CACHE: u64 = 1 << 23;
+/// Nodes and packs of more bytes come mostly from beyond the caches of a core.
+const FAR: u64 = 1 << 23;
 
-/// Rays of a wave.
-const IN_FLIGHT: usize = 48;
+/// Of so many bytes on packs do, which are most of the bytes; nodes that rays come to again and again stay.
+const FAR_PACKS: u64 = 1 << 20;
 
-/// Rays of a wave where nodes and packs come from farther away, and more rays are to wait for them together.
+/// The most rays that a wave can have.
 pub(super) const MOST_IN_FLIGHT: usize = 64;
+
+/// How many rays go in waves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct WaveSize {
+    /// Rays in flight.
+    pub(super) in_flight: usize,
+    /// Rays that are worth a phase: each begins and ends with turns that cannot be foreseen. Fewer wait while others
+    /// can go on.
+    pub(super) worthwhile: usize,
+}
+
+impl WaveSize {
+    const USUAL: Self = Self { in_flight: 48, worthwhile: 12 };
+    /// Where memory is far away, and more rays are to wait for it together.
+    const FAR: Self = Self { in_flight: MOST_IN_FLIGHT, worthwhile: 24 };
+}
 
 /// A ray as the formula of primitives takes it.
 pub(super) type RayOf<P> = <<P as Primitives>::Packs as Packs>::Ray;
@@ -26,10 +42,11 @@ pub(super) struct Task<'a, P: Primitives, Q> {
     pub(super) primitives: &'a P,
     pub(super) packs: &'a P::Packs,
     pub(super) padding: Padding,
-    /// Whether nodes and packs do not fit into the cache of a core, so that what is about to be read is prefetched.
+    /// Whether nodes and packs come mostly from beyond the caches of a core, so that they are prefetched.
     pub(super) far: bool,
-    /// How many rays a wave has in flight.
-    pub(super) in_flight: usize,
+    /// Whether packs do.
+    pub(super) far_packs: bool,
+    pub(super) wave: WaveSize,
 }
 
 impl<'a, P: Primitives, Q: Query> Task<'a, P, Q> {
@@ -37,18 +54,19 @@ impl<'a, P: Primitives, Q: Query> Task<'a, P, Q> {
         let packs = primitives.packs();
         let bytes = size_of_val(&tree.nodes[..]) as u64 + packs.bytes();
         let padding = primitives.padding();
-        let far = bytes > CORE_CACHE;
-        let in_flight = if far { MOST_IN_FLIGHT } else { IN_FLIGHT };
-        Self { tree, query, primitives, packs, padding, far, in_flight }
+        let far = bytes > FAR;
+        let wave = if far { WaveSize::FAR } else { WaveSize::USUAL };
+        let far_packs = bytes > FAR_PACKS;
+        Self { tree, query, primitives, packs, padding, far, far_packs, wave }
     }
 
     /// Prefetches what will be visited soon.
     #[inline(always)]
-    pub(super) fn prefetch(&self, child: Child) {
+    pub(super) fn prefetch(&self, child: Child, into: Cache) {
         if child.is_leaf() {
-            self.packs.prefetch(child.block());
+            self.packs.prefetch(child.block(), into);
         } else {
-            prefetch(&self.tree.nodes[child.index()]);
+            prefetch(&self.tree.nodes[child.index()], into);
         }
     }
 }

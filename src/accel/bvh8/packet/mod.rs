@@ -16,14 +16,14 @@ use std::hint::black_box;
 use crate::accel::{PACK, Packs, Primitives, Query, Search};
 use crate::counters::Counters;
 use crate::math::{Hit, Lanes as _, Mask as _, Ray, ones};
-use crate::simd::{Kernel, LARGEST_PACKET, PacketKernel, Row, Simd, dispatch};
+use crate::simd::{Cache, Kernel, LARGEST_PACKET, PacketKernel, Row, Simd, dispatch};
 
 use self::best::Best;
 use self::leaf::{Formulas, PacketRays};
 pub(super) use self::rays::Packet;
 use self::rays::all;
 use super::HEIGHT;
-use super::coherence::CoherenceBudget;
+use super::coherence::Coherence;
 use super::diverged::Diverged;
 use super::node::{Child, order_shift};
 use super::task::{RayOf, Task};
@@ -35,11 +35,23 @@ static LANES: [u32; PACK] = [0, 1, 2, 3, 4, 5, 6, 7];
 pub(super) struct Memory<R> {
     stack: Stack,
     formulas: Formulas<R>,
+    coherence: Coherence,
 }
 
 impl<R: Copy + Default> Default for Memory<R> {
     fn default() -> Self {
-        Self { stack: Stack::default(), formulas: Formulas::default() }
+        Self {
+            stack: Stack::default(),
+            formulas: Formulas::default(),
+            coherence: Coherence::default(),
+        }
+    }
+}
+
+impl<R> Memory<R> {
+    /// Forgets how the packets of another slice fared.
+    pub(super) fn start_slice(&mut self) {
+        self.coherence = Coherence::default();
     }
 }
 
@@ -165,8 +177,8 @@ pub(super) fn search<
     // As if it were other memory: what the compiler knows of its rows it keeps in registers, and copies to its stack.
     let packet = black_box(&*packet);
     let of_formula = <P::Packs as Packs>::rays::<R>(&packet.origin, &packet.dir, &packet.inv_dir);
-    let mut budget = CoherenceBudget::new(N);
-    let Memory { stack, formulas } = memory;
+    let Memory { stack, formulas, coherence } = memory;
+    let mut budget = coherence.budget(N);
     let mut best = Best::none_before(ends);
     formulas.clear();
     let mut of_packet = PacketRays { rays, packet, of_formula: &of_formula, formulas };
@@ -200,6 +212,9 @@ pub(super) fn search<
             if C::COUNTS {
                 counters.primitives(child.count() * active.count_ones());
             }
+            if task.far {
+                coherence.note_leaf(active);
+            }
             leaf::test(task, &mut of_packet, child, active, end, &mut best);
             if any && best.hit == all(N) {
                 break;
@@ -223,7 +238,7 @@ pub(super) fn search<
             let child = Child(node.children()[lane]);
             entries[top % HEIGHT] = (child, entering);
             if task.far {
-                task.prefetch(child);
+                task.prefetch(child, Cache::First);
             }
             if !any {
                 near.store(row(&mut begins[top % HEIGHT]));

@@ -15,7 +15,7 @@ mod slot;
 use crate::accel::{PACK, Packs, Primitives, Query, Search, search_one};
 use crate::counters::Counters;
 use crate::math::{BoxRay, Hit, NONE, Ray, ones};
-use crate::simd::Simd;
+use crate::simd::{Cache, Simd};
 
 use self::incoming::{Eight, Incoming, Terms};
 use self::list::{List, Places};
@@ -26,10 +26,6 @@ use super::diverged::Diverged;
 use super::node::Child;
 use super::slab_ray::SlabRay;
 use super::task::{MOST_IN_FLIGHT, RayOf, Task};
-
-/// Rays that are worth a phase: each begins and ends with turns that cannot be foreseen. Fewer wait while others can go
-/// on.
-const WORTHWHILE: usize = 12;
 
 /// The most rays in flight.
 const RAYS: usize = MOST_IN_FLIGHT;
@@ -63,6 +59,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
     memory: &mut Memory<RayOf<P>>,
     counters: &mut C,
 ) {
+    let worthwhile = task.wave.worthwhile;
     let any = const { matches!(Q::SEARCH, Search::First) };
     let tree = &task.tree.nodes[..];
     let Some(root) = tree.first().map(Root::new) else { return };
@@ -70,7 +67,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
     let (mut nodes, mut leaves) = (List::new(a), List::new(b));
     let (mut improved, mut done) = (List::new(c), List::new(d));
     let mut incoming = Incoming::new(which, diverged);
-    for (id, slot) in slots.iter_mut().enumerate().take(task.in_flight) {
+    for (id, slot) in slots.iter_mut().enumerate().take(task.wave.in_flight) {
         slot.ray = NONE;
         done.append_if(id as u32, true);
     }
@@ -138,7 +135,9 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
             break;
         }
 
-        prefetch(task, &nodes);
+        if task.far {
+            prefetch(task, &nodes);
+        }
         for place in 0..nodes.length {
             let slot = &mut slots[nodes.slot(place) as usize % RAYS];
             let node = &tree[nodes.next(place).index()];
@@ -150,10 +149,12 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
         }
         nodes.keep_nodes::<S>(&mut leaves, &mut done);
 
-        if leaves.length < WORTHWHILE && nodes.length >= WORTHWHILE {
+        if leaves.length < worthwhile && nodes.length >= worthwhile {
             continue;
         }
-        prefetch(task, &leaves);
+        if task.far_packs {
+            prefetch(task, &leaves);
+        }
         // A bit for each leaf that has a candidate.
         let mut offering = 0;
         for place in 0..leaves.length {
@@ -183,7 +184,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
             leaves.set_next(place, slot.pop_if(!is_met));
         }
         leaves.keep_leaves::<S>(offering, &mut nodes, &mut done);
-        if improved.length < PACK && nodes.length + leaves.length >= WORTHWHILE {
+        if improved.length < PACK && nodes.length + leaves.length >= worthwhile {
             continue;
         }
 
@@ -206,10 +207,8 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
 /// Asks for what the rays of a list visit next.
 #[inline(always)]
 fn prefetch<P: Primitives, Q: Query>(task: &Task<'_, P, Q>, list: &List<'_>) {
-    if task.far {
-        for place in 0..list.length {
-            task.prefetch(list.next(place));
-        }
+    for place in 0..list.length {
+        task.prefetch(list.next(place), Cache::Second);
     }
 }
 
