@@ -15,8 +15,8 @@ impl CoherenceBudget {
     const SAVED: u32 = 16;
 
     /// What a packet of so many rays starts with.
-    fn new(rays: usize, price: u32) -> Self {
-        let most = rays as u32 + Self::SAVED;
+    fn new(rays: u32, price: u32) -> Self {
+        let most = rays + Self::SAVED;
         Self { rays: most, most, price }
     }
 
@@ -45,20 +45,16 @@ impl Coherence {
     const FEW: u32 = 2;
     /// So many visits tell enough.
     const ENOUGH: u32 = 64;
-    /// The packets of a slice, one of which keeps to the usual price: those that diverge early see no leaves.
+    /// One packet of so many keeps to the usual price: those that diverge early see no leaves.
     const PROBED: u32 = 8;
 
-    /// The budget of the next packet.
+    /// The budget of the next packet, of so many rays.
     #[inline(always)]
-    pub(super) fn budget(&mut self, rays: usize) -> CoherenceBudget {
+    pub(super) fn budget(&mut self, rays: u32) -> CoherenceBudget {
         self.packets += 1;
-        let is_lonely = self.leaves >= Self::ENOUGH && self.lonely > self.leaves / 4 * 3;
-        let rays_each = rays as u32;
-        let price = if is_lonely && !self.packets.is_multiple_of(Self::PROBED) {
-            rays_each / 2
-        } else {
-            2 + rays_each / 16
-        };
+        let are_lonely = self.leaves >= Self::ENOUGH && self.lonely > self.leaves / 4 * 3;
+        let is_probe = self.packets.is_multiple_of(Self::PROBED);
+        let price = if are_lonely && !is_probe { rays / 2 } else { 2 + rays / 16 };
         CoherenceBudget::new(rays, price)
     }
 
@@ -74,7 +70,7 @@ impl Coherence {
 mod tests {
     use super::*;
 
-    const RAYS: usize = 32;
+    const RAYS: u32 = 32;
     const ONE: u32 = 1;
     const MANY: u32 = 0xff;
 

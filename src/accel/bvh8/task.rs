@@ -27,7 +27,7 @@ pub(super) struct WaveSize {
 }
 
 impl WaveSize {
-    const USUAL: Self = Self { in_flight: 48, worthwhile: 12 };
+    const USUAL: Self = Self { in_flight: 48, worthwhile: 20 };
     /// Where memory is far away, and more rays are to wait for it together.
     const FAR: Self = Self { in_flight: MOST_IN_FLIGHT, worthwhile: 24 };
 }

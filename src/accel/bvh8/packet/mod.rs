@@ -178,7 +178,7 @@ pub(super) fn search<
     let packet = black_box(&*packet);
     let of_formula = <P::Packs as Packs>::rays::<R>(&packet.origin, &packet.dir, &packet.inv_dir);
     let Memory { stack, formulas, coherence } = memory;
-    let mut budget = coherence.budget(N);
+    let mut budget = coherence.budget(N as u32);
     let mut best = Best::none_before(ends);
     formulas.clear();
     let mut of_packet = PacketRays { rays, packet, of_formula: &of_formula, formulas };
