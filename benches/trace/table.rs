@@ -5,6 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use serde_json::Value;
+use srt::compare::machine;
 
 /// One benchmark.
 pub(crate) struct Row {
@@ -47,15 +48,17 @@ impl Row {
 
 /// Writes `results/benchmarks.md`.
 pub(crate) fn write(rows: &[Row]) {
-    let mut text = String::from(
+    let machine = machine();
+    let mut text = format!(
         "# Benchmarks\n\n\
          Written by `cargo bench --bench trace`: medians of criterion's samples on one thread for \
          rays and on all for builds, with the 95 % interval of the median. The mesh of builds and \
          traversals is a generated torus knot. `none` and `ball` trace fewer rays where there are \
-         many triangles. Figures of one run on one machine: compare rows with each other, not with \
-         other machines.\n\n\
+         many triangles. Figures of one run on one machine ({}, {} cores; {}): compare rows with \
+         each other, not with other machines.\n\n\
          | group | benchmark | triangles | median | 95 % interval | rate |\n\
          |---|---|--:|--:|--:|--:|\n",
+        machine.cpu, machine.cores, machine.instruction_set,
     );
     for row in rows {
         let Some([median, low, high]) = row.median() else { continue };
