@@ -7,10 +7,10 @@ use crate::simd::{Cache, prefetch};
 use super::Bvh8;
 use super::node::Child;
 
-/// Nodes and packs of more bytes come mostly from beyond the caches of a core.
+/// Of a tree with more bytes of nodes and packs, both come mostly from beyond the caches of a core.
 const FAR: u64 = 1 << 23;
 
-/// Of so many bytes on packs do, which are most of the bytes; nodes that rays come to again and again stay.
+/// Of one with more than these, packs do, which are most of the bytes; nodes, visited again and again, stay.
 const FAR_PACKS: u64 = 1 << 20;
 
 /// The most rays that a wave can have.
