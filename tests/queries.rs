@@ -74,6 +74,47 @@ fn all_hits_and_filtered_hits_are_the_same_in_every_structure() {
     }
 }
 
+/// Compares a structure's answers to rays without an end with those to rays that end at the largest float.
+fn compare_ends<A: Accel>(mesh: &Mesh, endless: &[Ray], rays: &[Ray]) {
+    let same = |(a, b): (&Hit, &Hit)| a.same_bits(b);
+    let hits = [rays, endless].map(|rays| answers::<A, _>(mesh, ClosestHit, rays));
+    assert!(hits[0].iter().zip(&hits[1]).all(same), "{}", mesh.name);
+    let all = [rays, endless].map(|rays| answers::<A, _>(mesh, AllHits, rays));
+    assert!(all[0].iter().flatten().zip(all[1].iter().flatten()).all(same), "{}", mesh.name);
+    assert_eq!(all[0].concat().len(), all[1].concat().len(), "{}", mesh.name);
+    let [blocked, blocked_endless] =
+        [rays, endless].map(|rays| answers::<A, _>(mesh, AnyHit, rays));
+    assert_eq!(blocked, blocked_endless, "{}", mesh.name);
+    let alone = indexed::<A>(mesh);
+    for (ray, hit) in endless.iter().zip(&hits[1]) {
+        assert!(alone.hit(ray).same_bits(hit), "{}: {ray:?}", mesh.name);
+    }
+}
+
+#[test]
+fn nothing_is_hit_at_infinity() {
+    // The triangle has a side of 1, so a ray that moves by 10⁻³⁹ a unit meets it beyond the largest float.
+    let mesh = nasty_meshes::single();
+    let mut rays = rays_at(&mesh, 512, 8);
+    rays.extend(bundles_around(&rays[..8]));
+    for (number, ray) in rays.iter_mut().enumerate() {
+        let length = [1.0, 1e-39, 1e-36, 1e-38][number / 32 % 4];
+        (ray.dir, ray.t_min, ray.t_max) = (length * ray.dir.normalize_or_zero(), 0.0, f32::MAX);
+    }
+    let endless: Vec<_> = rays.iter().map(|ray| Ray { t_max: f32::INFINITY, ..*ray }).collect();
+    compare_ends::<Exhaustive>(&mesh, &endless, &rays);
+    compare_ends::<BoundingBall>(&mesh, &endless, &rays);
+    compare_ends::<Bvh>(&mesh, &endless, &rays);
+    compare_ends::<CompressedWideBvh>(&mesh, &endless, &rays);
+    compare_ends::<Bvh8>(&mesh, &endless, &rays);
+    compare_ends::<KdTree>(&mesh, &endless, &rays);
+    compare_ends::<Grid>(&mesh, &endless, &rays);
+    compare_ends::<TwoLevelGrid>(&mesh, &endless, &rays);
+    compare_ends::<Octree>(&mesh, &endless, &rays);
+    compare_ends::<BallTree>(&mesh, &endless, &rays);
+    compare_ends::<KDopTree>(&mesh, &endless, &rays);
+}
+
 #[test]
 fn all_hits_are_in_order_and_each_is_one() {
     let mesh = nasty_meshes::lattice();

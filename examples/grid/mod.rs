@@ -40,7 +40,7 @@ impl Accel for Grid {
         counters: &mut C,
         mut leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
     ) {
-        let mut end = ray.t_max;
+        let mut end = ray.end();
         for (bounds, slots) in &self.cells {
             counters.boxes(1);
             let (near, far) = box_ray.interval(bounds);

@@ -67,7 +67,7 @@ impl<const PADDED: bool, const EARLY_EXIT: bool> Accel for KdTree<PADDED, EARLY_
         // the other halves of the cells around it.
         let mut open = [(0, 0.0, 0.0); MAX_DEPTH + 1];
         open[0] = (0, near, far);
-        let (mut count, mut end) = (1, ray.t_max);
+        let (mut count, mut end) = (1, ray.end());
         while count > 0 {
             count -= 1;
             let (at, near, far) = open[count];

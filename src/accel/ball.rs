@@ -54,7 +54,7 @@ impl Accel for BoundingBall {
         mut leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
     ) {
         counters.boxes(1);
-        let enters = SphereRay::new(ray, box_ray).enters(self.center, self.radius, ray.t_max);
+        let enters = SphereRay::new(ray, box_ray).enters(self.center, self.radius, ray.end());
         if enters.is_some() {
             let _ = leaf(0..self.count, counters);
         }

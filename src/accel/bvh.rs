@@ -104,7 +104,7 @@ impl Accel for Bvh {
         let Some(mut at) = self.root else { return };
         let pair_ray = PairRay::new(box_ray);
         let t_min = Vec4::splat(ray.t_min);
-        let mut end = ray.t_max;
+        let mut end = ray.end();
         let mut stack = SmallVec::<[(Child, f32); USUAL_DEPTH]>::new();
         loop {
             if at.count == 0 {

@@ -85,7 +85,7 @@ impl Accel for CompressedWideBvh {
             return;
         }
         let grid_ray = GridRay::new(box_ray);
-        let mut end = ray.t_max;
+        let mut end = ray.end();
         let mut stack = SmallVec::<[(u32, f32); USUAL_STACK]>::new();
         stack.push((0, ray.t_min));
         while let Some((index, near)) = stack.pop() {

@@ -94,8 +94,8 @@ impl Accel for Grid {
     ) {
         let Some(raster) = &self.raster else { return };
         let plane_ray = PlaneRay::new(ray, box_ray);
-        let (mut mailbox, mut end) = (Mailbox::EMPTY, ray.t_max);
-        let _ = walk(raster, &plane_ray, ray.t_min, ray.t_max, |number| {
+        let (mut mailbox, mut end) = (Mailbox::EMPTY, ray.end());
+        let _ = walk(raster, &plane_ray, ray.t_min, ray.end(), |number| {
             counters.boxes(1);
             let list = self.cells[number as usize].list();
             self.lists.offer(list, &mut mailbox, &mut end, counters, &mut leaf)?;

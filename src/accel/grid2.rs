@@ -93,8 +93,8 @@ impl Accel for TwoLevelGrid {
     ) {
         let Some(raster) = &self.raster else { return };
         let plane_ray = PlaneRay::new(ray, box_ray);
-        let (mut mailbox, mut end) = (Mailbox::EMPTY, ray.t_max);
-        let _ = walk(raster, &plane_ray, ray.t_min, ray.t_max, |number| {
+        let (mut mailbox, mut end) = (Mailbox::EMPTY, ray.end());
+        let _ = walk(raster, &plane_ray, ray.t_min, ray.end(), |number| {
             counters.boxes(1);
             let coarse = self.coarse[number as usize];
             if coarse.parts[0] == 0 {

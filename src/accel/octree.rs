@@ -94,13 +94,13 @@ impl Accel for Octree {
             return;
         }
         let (near, far) = box_ray.interval(&self.bounds);
-        let mut end = ray.t_max;
+        let mut end = ray.end();
         let plane_ray = PlaneRay::new(ray, box_ray);
         // What makes of the place of a part in the order of the ray its place in space.
         let mirrored = (0..3).map(|axis| u32::from(!plane_ray.upwards[axis]) << axis).sum::<u32>();
         let mut mailbox = Mailbox::EMPTY;
         let mut stack = SmallVec::<[(u32, f32, f32); USUAL_STACK]>::new();
-        stack.push((0, near.max(ray.t_min), far.min(ray.t_max)));
+        stack.push((0, near.max(ray.t_min), far.min(ray.end())));
         while let Some((at, near, far)) = stack.pop() {
             let far = far.min(end);
             if near > far {

@@ -91,7 +91,7 @@ impl Query for ClosestHit {
 
     #[inline(always)]
     fn start(&self, ray: &Ray) -> Hit {
-        Hit::none_before(ray.t_max)
+        Hit::none_before(ray.end())
     }
 
     #[inline(always)]
@@ -141,7 +141,7 @@ impl Query for AnyHit {
 
     #[inline(always)]
     fn end(&self, ray: &Ray, answer: &bool) -> f32 {
-        if *answer { f32::NEG_INFINITY } else { ray.t_max }
+        if *answer { f32::NEG_INFINITY } else { ray.end() }
     }
 
     #[inline(always)]
@@ -173,7 +173,7 @@ impl Query for AllHits {
     }
 
     fn end(&self, ray: &Ray, _: &Vec<Hit>) -> f32 {
-        ray.t_max
+        ray.end()
     }
 
     fn record(&self, answer: &mut Vec<Hit>, hit: &Hit) {

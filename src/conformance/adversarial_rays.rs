@@ -48,8 +48,10 @@ pub fn bundles_around(rays: &[Ray]) -> Vec<Ray> {
                 if copy % 2 == 0 {
                     near.origin += spread * random_point(&mut random);
                 }
-                if copy % 5 == 0 {
-                    near.t_max = 2.0 * random.next_f32();
+                match copy % 5 {
+                    0 => near.t_max = 2.0 * random.next_f32(),
+                    1 => near.t_max = f32::INFINITY,
+                    _ => {}
                 }
             }
             bundles.push(near);

@@ -200,7 +200,7 @@ mod tests {
             counters: &mut C,
             mut leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
         ) {
-            let mut end = ray.t_max;
+            let mut end = ray.end();
             // The last first, so that a tie's smaller id comes late.
             for (slot, bounds) in (0..self.0.len() as u32).zip(&self.0).rev() {
                 let (near, far) = box_ray.interval(bounds);

@@ -123,7 +123,7 @@ fn put(rays: &[Ray; PACKET], packet: &mut RTCRay16) {
         packet.dir[axis] = rays.each_ref().map(|ray| ray.dir[axis]);
     }
     packet.tnear = rays.each_ref().map(|ray| ray.t_min);
-    packet.tfar = rays.each_ref().map(|ray| ray.t_max);
+    packet.tfar = rays.each_ref().map(|ray| ray.end());
 }
 
 /// A packet of fewer rays than there are lanes: the others repeat the last, and do not count.

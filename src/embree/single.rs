@@ -58,7 +58,7 @@ fn rtc_ray(ray: &Ray) -> RTCRay {
         tnear: ray.t_min,
         dir: ray.dir.to_array(),
         time: 0.0,
-        tfar: ray.t_max,
+        tfar: ray.end(),
         mask: u32::MAX,
         id: 0,
         flags: 0,

@@ -1,5 +1,7 @@
 //! What a ray found, and the order that makes "the closest" unique.
 
+use bytemuck::{Pod, Zeroable};
+
 use super::slab::not_before;
 
 /// The id of no object and no primitive.
@@ -9,7 +11,7 @@ pub const NONE: u32 = u32::MAX;
 ///
 /// The ids break ties, so that the closest hit is one and the same for every structure, whatever
 /// the order in which it offers its primitives.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Hit {
     /// Parameter along the ray, in units of the ray's own direction.

@@ -24,6 +24,7 @@ pub use hash::Random;
 pub(crate) use hash::{hash_u64, unit_pair};
 pub use hit::{CLOSE, Hit, NONE};
 pub use lanes::{Lanes, Lanes3, Mask, dot, ones, sub, within};
+pub(crate) use ray::search_ends;
 pub use ray::{Ray, RayError};
 pub use size_range::SizeRange;
 pub use slab::Padding;

@@ -1,6 +1,9 @@
 //! A ray: an origin, a direction and the interval of the parameter in which hits count.
 
+use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
+
+use super::Lanes;
 
 /// The points `origin + t·dir` with `t_min ≤ t ≤ t_max`.
 ///
@@ -8,16 +11,20 @@ use glam::Vec3;
 /// taken to another space.
 ///
 /// # Range
-/// All components are finite, `t_min` is not negative, and `t_max` is at most [`f32::MAX`]:
+/// Origin and direction are finite, `t_min` is finite and not negative, and `t_max` is a number or +∞:
 /// [`check`](Self::check) tells. For such rays every structure returns the same hits. A ray with a NaN
-/// hits nothing. What one with an infinite component hits is not defined, and need not be the same in
+/// hits nothing. What one with an infinite origin or direction hits is not defined, and need not be the same in
 /// all structures; builds with debug assertions panic.
 ///
 /// Where products of lengths leave the range of `f32`, a ray misses what it should hit, in every
 /// structure. That does not happen to triangles within
 /// [`SizeRange::TRIANGLES`](super::SizeRange::TRIANGLES) if the origin is within it, too, and the
 /// direction has a length from 10⁻⁹ to 10¹².
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// # Memory
+/// Eight floats in the order of the fields, so that rays in memory of another's need not be copied:
+/// [`from_arrays`](Self::from_arrays), or a cast of [`bytemuck`].
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Ray {
     /// Where the ray starts.
@@ -26,7 +33,8 @@ pub struct Ray {
     pub t_min: f32,
     /// The direction, not normalised.
     pub dir: Vec3,
-    /// The largest parameter at which a hit counts (inclusive); at most [`f32::MAX`].
+    /// The largest parameter at which a hit counts (inclusive). No hit is farther than [`f32::MAX`]: see
+    /// [`end`](Self::end).
     pub t_max: f32,
 }
 
@@ -38,12 +46,24 @@ impl Ray {
     }
 
     /// The part of a line with `t_min ≤ t ≤ t_max`.
-    ///
-    /// The end is cut to the largest finite float, which keeps infinite parameters (of planes
-    /// parallel to the ray, of degenerate triangles) from ever counting as hits.
     #[must_use]
     pub fn with_interval(origin: Vec3, dir: Vec3, t_min: f32, t_max: f32) -> Self {
-        Self { origin, t_min, dir, t_max: t_max.min(f32::MAX) }
+        Self { origin, t_min, dir, t_max }
+    }
+
+    /// Arrays of origin, `t_min`, direction and `t_max` as rays, where they lie.
+    #[inline]
+    #[must_use]
+    pub fn from_arrays(arrays: &[[f32; 8]]) -> &[Self] {
+        bytemuck::cast_slice(arrays)
+    }
+
+    /// The largest parameter at which a hit counts: `t_max`, or the largest finite float where that is infinite. So
+    /// infinite parameters, of planes parallel to the ray or of degenerate triangles, never count.
+    #[inline]
+    #[must_use]
+    pub fn end(&self) -> f32 {
+        if self.t_max > f32::MAX { f32::MAX } else { self.t_max }
     }
 
     /// Whether it is within the range of rays.
@@ -61,7 +81,7 @@ impl Ray {
         }
         let Self { t_min, t_max, .. } = *self;
         // A NaN is in neither range.
-        if !(0.0..=f32::MAX).contains(&t_min) || !(f32::MIN..=f32::MAX).contains(&t_max) {
+        if !(0.0..=f32::MAX).contains(&t_min) || !(f32::MIN..=f32::INFINITY).contains(&t_max) {
             return Err(RayError::Interval { t_min, t_max });
         }
         Ok(())
@@ -88,6 +108,13 @@ impl Ray {
     }
 }
 
+/// [`Ray::end`] of several rays, by their `t_max`. A NaN is left, since vectors give the second of two values where
+/// either is one; nothing is before it.
+#[inline(always)]
+pub(crate) fn search_ends<L: Lanes>(t_max: L) -> L {
+    L::splat(f32::MAX).min(t_max)
+}
+
 /// Why a ray is out of the range in which hits are defined.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum RayError {
@@ -99,8 +126,10 @@ pub enum RayError {
         /// What it is.
         vector: Vec3,
     },
-    /// The interval begins below 0, or an end of it is infinite or no number.
-    #[error("the ray's interval is from {t_min} to {t_max}: it must be within 0 and 3.4e38")]
+    /// The interval begins below 0 or at infinity, ends at −∞, or an end of it is no number.
+    #[error(
+        "the ray's interval is from {t_min} to {t_max}: it must begin at a number from 0 on, and end at one or at inf"
+    )]
     Interval {
         /// Its begin.
         t_min: f32,
@@ -111,6 +140,8 @@ pub enum RayError {
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec4;
+
     use super::*;
 
     #[test]
@@ -131,10 +162,32 @@ mod tests {
         );
         let nowhere = Ray { origin: Vec3::NAN, ..ray };
         assert!(matches!(nowhere.check(), Err(RayError::NotFinite { what: "origin", .. })));
-        for (t_min, t_max) in [(-1.0, 1.0), (f32::NAN, 1.0), (0.0, f32::INFINITY), (0.0, f32::NAN)]
+        let infinity = f32::INFINITY;
+        for (t_min, t_max) in
+            [(-1.0, 1.0), (f32::NAN, 1.0), (infinity, infinity), (0.0, -infinity), (0.0, f32::NAN)]
         {
             let cut = Ray { t_min, t_max, ..ray };
             assert!(matches!(cut.check(), Err(RayError::Interval { .. })), "{t_min} {t_max}");
         }
+    }
+
+    #[test]
+    fn arrays_of_eight_are_rays_where_they_lie() {
+        let arrays = [[1.0, 2.0, 3.0, 0.5, 4.0, 5.0, 6.0, f32::INFINITY], [0.0; 8]];
+        let rays = Ray::from_arrays(&arrays);
+        let (origin, dir) = (Vec3::new(1.0, 2.0, 3.0), Vec3::new(4.0, 5.0, 6.0));
+        assert_eq!(rays[0], Ray::with_interval(origin, dir, 0.5, f32::INFINITY));
+        assert_eq!(rays.as_ptr().cast(), arrays.as_ptr());
+        assert_eq!(rays[1].to_array(), [0.0; 8]);
+    }
+
+    #[test]
+    fn searches_end_before_infinity() {
+        let end = |t_max| Ray { t_max, ..Ray::new(Vec3::ZERO, Vec3::X) }.end();
+        assert_eq!([end(2.0), end(-1.0), end(f32::INFINITY)], [2.0, -1.0, f32::MAX]);
+        assert!(end(f32::NAN).is_nan());
+        let ends = search_ends(Vec4::new(2.0, -1.0, f32::INFINITY, f32::NAN));
+        assert_eq!(ends.truncate().to_array(), [2.0, -1.0, f32::MAX]);
+        assert!(ends.w.is_nan());
     }
 }

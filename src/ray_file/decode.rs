@@ -153,7 +153,7 @@ fn possible(ray: &Ray, hit: &Hit) -> Result<(), &'static str> {
             Err("it is no object, and no miss")
         };
     }
-    if !(ray.t_min..=ray.t_max).contains(&hit.t) {
+    if !(ray.t_min..=ray.end()).contains(&hit.t) {
         return Err("its t is outside of the ray's interval");
     }
     if !hit.u.is_finite() || !hit.v.is_finite() {

@@ -142,7 +142,7 @@ impl Triangle {
             hit.replace(0, flat_hit(ray, self.corners));
         }
         let t = hit.t / hit.scale;
-        within(t, [ray.t_min, ray.t_max]).then(|| (t, hit.u / hit.scale, hit.v / hit.scale))
+        within(t, [ray.t_min, ray.end()]).then(|| (t, hit.u / hit.scale, hit.v / hit.scale))
     }
 
     /// The point at barycentric weights `u` (second corner) and `v` (third corner).

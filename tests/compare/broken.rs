@@ -30,7 +30,7 @@ impl Accel for Shrunken {
         counters: &mut C,
         mut leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
     ) {
-        let mut end = ray.t_max;
+        let mut end = ray.end();
         for (slot, bounds) in (0..).zip(&self.boxes) {
             counters.boxes(1);
             let (near, far) = box_ray.interval(bounds);

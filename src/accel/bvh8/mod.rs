@@ -113,7 +113,7 @@ impl Accel for Bvh8 {
             return;
         }
         let wide_ray = WideRay::new(ray, box_ray);
-        let mut end = ray.t_max;
+        let mut end = ray.end();
         let mut stack = SmallVec::<[(Child, f32); USUAL_HEIGHT]>::new();
         stack.push((Child::ROOT, ray.t_min));
         while let Some((child, begin)) = stack.pop() {

@@ -104,7 +104,7 @@ impl Accel for KdTree {
             return;
         }
         let (near, far) = box_ray.interval(&self.bounds);
-        let (mut near, mut far, mut end) = (near.max(ray.t_min), far.min(ray.t_max), ray.t_max);
+        let (mut near, mut far, mut end) = (near.max(ray.t_min), far.min(ray.end()), ray.end());
         if near > far {
             return;
         }

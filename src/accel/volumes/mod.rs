@@ -108,7 +108,7 @@ impl<V: Volume> Accel for VolumeTree<V> {
     ) {
         let Some(root) = self.root else { return };
         let volume_ray = V::ray(ray, box_ray);
-        let mut end = ray.t_max;
+        let mut end = ray.end();
         counters.boxes(1);
         let Some(begin) = root.volume.entered(&volume_ray, end) else { return };
         let mut stack = SmallVec::<[(Child<V>, f64); USUAL_DEPTH]>::new();

@@ -58,6 +58,6 @@ impl Thing for Placed {
                 Hit { object: id, ..cells.hit(&own) }
             }
         };
-        (hit.t <= ray.t_max && hit.prim != Hit::MISS.prim).then_some(hit)
+        (hit.t <= ray.end() && hit.prim != Hit::MISS.prim).then_some(hit)
     }
 }

@@ -33,7 +33,7 @@ impl Solid {
     /// Where a ray that begins outside enters, and how bright it is there.
     pub(super) fn entered(&self, ray: &Ray, box_ray: &BoxRay) -> Option<(f32, f32)> {
         let (near, far) = box_ray.interval(&self.bounds());
-        let begins_outside = near > ray.t_min && near <= far.min(ray.t_max);
+        let begins_outside = near > ray.t_min && near <= far.min(ray.end());
         if !begins_outside {
             return None;
         }
@@ -46,7 +46,7 @@ impl Solid {
                 let root = (b * b - a * (from.length_squared() - radius * radius)).sqrt();
                 // The root of a negative number is NaN: the ray misses the ball.
                 let t = ((-b - root) / a) as f32;
-                let counts = t > ray.t_min && t <= ray.t_max && t >= near;
+                let counts = t > ray.t_min && t <= ray.end() && t >= near;
                 let facing = (root / (a.sqrt() * radius)) as f32;
                 counts.then_some((t, 0.45 + 0.55 * facing))
             }
@@ -54,7 +54,7 @@ impl Solid {
                 let (t, side) = kdop.entered_from(ray.origin.as_dvec3(), ray.dir.as_dvec3())?;
                 let (t, pair) = (t as f32, side / 2);
                 let light = if pair < 3 { FACES[pair] } else { ASLANT[pair - 3] };
-                (t > ray.t_min && t <= ray.t_max).then_some((t, light))
+                (t > ray.t_min && t <= ray.end()).then_some((t, light))
             }
         }
     }

@@ -95,5 +95,5 @@ impl Triangles {
 
 /// For libraries whose rays have no smallest parameter: where the ray begins to count, and how far it goes from there.
 fn from_start(ray: &Ray) -> (Vec3, f32) {
-    (ray.origin + ray.t_min * ray.dir, ray.t_max - ray.t_min)
+    (ray.origin + ray.t_min * ray.dir, ray.end() - ray.t_min)
 }

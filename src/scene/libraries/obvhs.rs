@@ -91,7 +91,7 @@ impl<T: Tree> Indexed<T> {
 
     fn trace(&self, rays: &[Ray], answers: Answers<'_>) {
         let prepared = |ray: &Ray| {
-            ray::Ray::new(Vec3A::from(ray.origin), Vec3A::from(ray.dir), ray.t_min, ray.t_max)
+            ray::Ray::new(Vec3A::from(ray.origin), Vec3A::from(ray.dir), ray.t_min, ray.end())
         };
         let test = |ray: &ray::Ray, place: usize| self.packed[place].intersect(ray);
         let closest = |ray: &Ray| {

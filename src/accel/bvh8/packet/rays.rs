@@ -5,7 +5,7 @@
 
 use crate::accel::PACK;
 use crate::math::slab::{crossing, cut_to_finite, meets, not_before};
-use crate::math::{Lanes, Lanes3, Mask as _, Padding, Ray};
+use crate::math::{Lanes, Lanes3, Mask as _, Padding, Ray, search_ends};
 use crate::simd::{Row, Simd};
 
 use super::super::node::{FAR, Node, near_planes};
@@ -99,7 +99,7 @@ impl<S: Simd, R: Row<N>, const N: usize> Packet<S, R, N> {
             self.far[axis] = far;
             self.set_slab(axis, terms, product);
         }
-        Some((rows[7], fits == all(N)))
+        Some((search_ends(rows[7]), fits == all(N)))
     }
 
     /// Notes the terms of the slab test of an axis; `product` is the reach times the inverse

@@ -4,7 +4,7 @@
 //! Most rays meet few boxes, so what a ray costs before its first one counts.
 
 use crate::accel::{PACK, Packs};
-use crate::math::{Lanes as _, Lanes3, Mask as _, Padding, Ray};
+use crate::math::{Lanes as _, Lanes3, Mask as _, Padding, Ray, search_ends};
 use crate::simd::{Row as _, Simd};
 
 use super::super::diverged::{Diverged, DivergedRay};
@@ -89,6 +89,7 @@ impl<S: Simd> Terms<S> {
             S::F8::load(&rays[g as usize].to_array()),
             S::F8::load(&rays[h as usize].to_array()),
         ]);
+        let t_max = search_ends(t_max);
         let (origin, dir): (Lanes3<S::F8>, Lanes3<S::F8>) = ([ox, oy, oz], [dx, dy, dz]);
         let (one, zero) = (S::F8::splat(1.0), S::F8::splat(0.0));
         let inv_dir = [one / dx, one / dy, one / dz];

@@ -243,7 +243,7 @@ fn take_cut<S: Simd, P: Primitives, Q: Query, C: Counters>(
         answers[index as usize] = search_one(task.tree, task.query, task.primitives, ray, counters);
         return false;
     };
-    slot.set_terms(&slab, [ray.t_min, ray.t_max]);
+    slot.set_terms(&slab, [ray.t_min, ray.end()]);
     slot.formula = P::Packs::ray(ray, &box_ray.inv_dir.to_array());
     slot.ray = index;
     true
