@@ -50,6 +50,24 @@ pub trait Lanes:
     fn lt(self, other: Self) -> Self::Mask;
     /// `self` where the bits have a one, `other` elsewhere.
     fn select(self, mask: u32, other: Self) -> Self;
+
+    /// Whether the processor has too few registers for a formula with several rows of several registers each.
+    const FEW_REGISTERS: bool = false;
+
+    /// Applies a formula, to one register of each row after the other where there are few.
+    #[inline(always)]
+    fn apply<const IN: usize, const OUT: usize>(
+        formula: &impl LaneFormula<IN, OUT>,
+        rows: &[Self; IN],
+    ) -> ([Self; OUT], Self::Mask) {
+        formula.apply(rows)
+    }
+}
+
+/// A formula from rows to rows and a mask, lane by lane.
+pub trait LaneFormula<const IN: usize, const OUT: usize> {
+    /// Applies it. Inlined, as all that handles rows is.
+    fn apply<L: Lanes>(&self, rows: &[L; IN]) -> ([L; OUT], L::Mask);
 }
 
 /// The sign bit.
@@ -119,6 +137,8 @@ macro_rules! vector {
 
         impl Lanes for $vector {
             type Mask = $mask;
+            // SSE2 has sixteen.
+            const FEW_REGISTERS: bool = true;
 
             #[inline(always)]
             fn splat(value: f32) -> Self {

@@ -23,7 +23,7 @@ pub use hash::Random;
 #[cfg(feature = "program")]
 pub(crate) use hash::{hash_u64, unit_pair};
 pub use hit::{CLOSE, Hit, NONE};
-pub use lanes::{Lanes, Lanes3, Mask, dot, ones, sub, within};
+pub use lanes::{LaneFormula, Lanes, Lanes3, Mask, dot, ones, sub, within};
 pub(crate) use ray::search_ends;
 pub use ray::{Ray, RayError};
 pub use size_range::SizeRange;

@@ -1,8 +1,10 @@
 //! Rays as the formula of triangles sees them: space is sheared so that they run along one axis.
 
-use crate::accel::PACK;
-use crate::math::{Lanes, Lanes3, Mask as _, Ray, sub};
-use crate::simd::{Row as _, Simd};
+use crate::accel::{PACK, PackHits};
+use crate::math::{LaneFormula, Lanes, Lanes3, Mask as _, Ray, sub};
+use crate::simd::{Row as _, Simd, splat3};
+
+use super::triangle::scaled_hit;
 
 /// A factor that makes a reciprocal of every number but zero finite.
 const LARGE: f32 = (1u64 << 40) as f32;
@@ -302,6 +304,22 @@ impl<L: Lanes> TriangleRays<L> {
         Self { axes, sheared }
     }
 
+    /// The formula for a triangle, whose corners are given by their numbers and coordinates.
+    #[inline(always)]
+    pub(super) fn scaled_hit(&self, coordinate: impl Fn(usize, Axis) -> f32) -> PackHits<L> {
+        if !L::FEW_REGISTERS || self.axes.differ {
+            return scaled_hit(&self.sheared, self.arrange(coordinate));
+        }
+        let axes = self.axes.usual.0;
+        let corner = |number: usize| {
+            [coordinate(number, axes[0]), coordinate(number, axes[1]), coordinate(number, axes[2])]
+        };
+        let ShearedRay { origin: [x, y, z], slopes: [p, q], along: [a, b] } = self.sheared;
+        let one_triangle = OneTriangle([corner(0), corner(1), corner(2)]);
+        let ([t, u, v, scale], inside) = L::apply(&one_triangle, &[x, y, z, p, q, a, b]);
+        PackHits { inside, t, u, v, scale }
+    }
+
     /// The corners of a triangle, by their numbers and coordinates, in the order of each ray's axes.
     #[inline(always)]
     pub(super) fn arrange(&self, coordinate: impl Fn(usize, Axis) -> f32) -> [Lanes3<L>; 3] {
@@ -320,6 +338,19 @@ impl<L: Lanes> TriangleRays<L> {
                 axes.splat(|axis| coordinate(2, axis)),
             ]
         }
+    }
+}
+
+/// The formula for one triangle, by its corners in the order of the rays' axes.
+struct OneTriangle([[f32; 3]; 3]);
+
+impl LaneFormula<7, 4> for OneTriangle {
+    #[inline(always)]
+    fn apply<L: Lanes>(&self, &[x, y, z, p, q, a, b]: &[L; 7]) -> ([L; 4], L::Mask) {
+        let ray = ShearedRay { origin: [x, y, z], slopes: [p, q], along: [a, b] };
+        let [first, second, third] = self.0;
+        let hits = scaled_hit(&ray, [splat3(first), splat3(second), splat3(third)]);
+        ([hits.t, hits.u, hits.v, hits.scale], hits.inside)
     }
 }
 

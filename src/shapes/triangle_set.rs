@@ -305,8 +305,7 @@ impl Packs for TriangleSet {
     #[inline(always)]
     fn test_lane<R: Lanes>(&self, pack: usize, lane: usize, rays: &TriangleRays<R>) -> PackHits<R> {
         let pack = &self.packs[pack];
-        let places = rays.arrange(|corner, axis| pack.coordinate(corner, axis as usize, lane));
-        scaled_hit(&rays.sheared, places)
+        rays.scaled_hit(|corner, axis| pack.coordinate(corner, axis as usize, lane))
     }
 
     // Cold: else the kernels keep their rows in memory for a call in the midst of them, which hardly ever comes.

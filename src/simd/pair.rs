@@ -2,7 +2,7 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
-use crate::math::{Lanes, Mask};
+use crate::math::{LaneFormula, Lanes, Mask};
 
 use super::Row;
 
@@ -81,6 +81,29 @@ impl<R: Lanes> Lanes for Pair<R> {
     fn select(self, mask: u32, other: Self) -> Self {
         let upper = mask >> R::Mask::LANES;
         Self(self.0.select(mask, other.0), self.1.select(upper, other.1))
+    }
+
+    const FEW_REGISTERS: bool = R::FEW_REGISTERS;
+
+    #[inline(always)]
+    fn apply<const IN: usize, const OUT: usize>(
+        formula: &impl LaneFormula<IN, OUT>,
+        rows: &[Self; IN],
+    ) -> ([Self; OUT], Self::Mask) {
+        if !R::FEW_REGISTERS {
+            return formula.apply(rows);
+        }
+        let (mut low, mut high) = ([rows[0].0; IN], [rows[0].1; IN]);
+        for i in 0..IN {
+            (low[i], high[i]) = (rows[i].0, rows[i].1);
+        }
+        let (low, in_low) = R::apply(formula, &low);
+        let (high, in_high) = R::apply(formula, &high);
+        let mut pairs = [Self(low[0], high[0]); OUT];
+        for i in 0..OUT {
+            pairs[i] = Self(low[i], high[i]);
+        }
+        (pairs, PairMask(in_low, in_high))
     }
 }
 

@@ -53,6 +53,8 @@ impl Simd for Portable {
     type F8 = Pair<Vec4>;
     type F16 = Pair<Pair<Vec4>>;
 
+    type Crossed = [u32; 8];
+
     const FUSES: bool = false;
 
     #[inline(always)]
@@ -132,5 +134,27 @@ impl Simd for Portable {
             count += (mask >> lane & 1) as usize;
         }
         count as u32
+    }
+
+    #[inline(always)]
+    fn crossed(
+        near: Self::F8,
+        far: Self::F8,
+        order: &[u32; 8],
+        shift: u32,
+    ) -> (Self::Crossed, u32) {
+        let mask = near.le(far).bits();
+        let (mut lanes, mut count) = ([0; 8], 0);
+        for word in order {
+            let lane = word >> shift & 7;
+            lanes[count & 7] = lane;
+            count += (mask >> lane & 1) as usize;
+        }
+        (lanes, count as u32)
+    }
+
+    #[inline(always)]
+    fn crossed_lane(crossed: &Self::Crossed, number: u32) -> usize {
+        crossed[number as usize & 7] as usize
     }
 }

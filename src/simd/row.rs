@@ -57,6 +57,9 @@ pub trait Simd: Copy + Send + Sync + 'static {
     /// Sixteen floats.
     type F16: Row<LANES>;
 
+    /// Up to eight lanes in an order: what [`Simd::crossed`] gives.
+    type Crossed: Copy;
+
     /// Whether [`Row::slab`] takes the product of origin and inverse direction as its offset (the
     /// fused form) or the origin.
     const FUSES: bool;
@@ -92,4 +95,95 @@ pub trait Simd: Copy + Send + Sync + 'static {
         entries: &mut [u32; 8],
         distances: &mut [f32; 8],
     ) -> u32;
+
+    /// The lanes with `near ≤ far` in that order, and how many there are.
+    fn crossed(near: Self::F8, far: Self::F8, order: &[u32; 8], shift: u32)
+    -> (Self::Crossed, u32);
+    /// One of these lanes by its number, below eight.
+    fn crossed_lane(crossed: &Self::Crossed, number: u32) -> usize;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Kernel, dispatch};
+    use super::*;
+    use crate::math::{LaneFormula, Random};
+
+    struct Crossed<'a>([f32; 8], [f32; 8], &'a [u32; 8], u32);
+
+    impl Kernel for Crossed<'_> {
+        type Output = Vec<usize>;
+
+        #[inline(always)]
+        fn run<S: Simd>(self) -> Vec<usize> {
+            let Self(near, far, order, shift) = self;
+            let (crossed, count) = S::crossed(S::F8::load(&near), S::F8::load(&far), order, shift);
+            (0..count).map(|number| S::crossed_lane(&crossed, number)).collect()
+        }
+    }
+
+    #[test]
+    fn lanes_that_are_crossed_keep_their_order() {
+        let mut random = Random::new(&[19]);
+        for _ in 0..1000 {
+            let mut row = || std::array::from_fn(|_| random.next_f32());
+            let (near, far): ([f32; 8], [f32; 8]) = (row(), row());
+            let mut lanes = [0, 1, 2, 3, 4, 5, 6, 7];
+            lanes.sort_by_key(|_| random.below(1000));
+            let shift = 3 * random.below(8);
+            let order =
+                lanes.map(|lane: u32| lane << shift | random.below(1 << 24) & !(7 << shift));
+            let met = |&lane: &usize| near[lane] <= far[lane];
+            let expected: Vec<_> =
+                lanes.map(|lane| lane as usize).into_iter().filter(met).collect();
+            assert_eq!(dispatch(Crossed(near, far, &order, shift)), expected);
+        }
+    }
+
+    /// A formula with a mask.
+    struct Quotient(f32);
+
+    impl LaneFormula<2, 1> for Quotient {
+        #[inline(always)]
+        fn apply<L: Lanes>(&self, &[a, b]: &[L; 2]) -> ([L; 1], L::Mask) {
+            ([(a + L::splat(self.0)) / b], a.lt(b))
+        }
+    }
+
+    struct Apply([[f32; 32]; 2]);
+
+    impl Kernel for Apply {
+        type Output = (Vec<f32>, u32);
+
+        #[inline(always)]
+        fn run<S: Simd>(self) -> Self::Output {
+            S::in_packets(self)
+        }
+    }
+
+    impl PacketKernel for Apply {
+        type Output = (Vec<f32>, u32);
+
+        #[inline(always)]
+        fn run<S: Simd, R: Row<N>, const N: usize>(self) -> Self::Output {
+            let row =
+                |values: &[f32; 32]| R::load(values.first_chunk().expect("no packet is larger"));
+            let ([quotient], mask) = R::apply(&Quotient(3.0), &[row(&self.0[0]), row(&self.0[1])]);
+            let mut values = [0.0; N];
+            quotient.store(&mut values);
+            (values.to_vec(), mask.bits())
+        }
+    }
+
+    #[test]
+    fn a_formula_is_the_same_register_by_register() {
+        let mut random = Random::new(&[20]);
+        let mut row = || std::array::from_fn(|_| 0.1 + random.next_f32());
+        let [a, b]: [[f32; 32]; 2] = [row(), row()];
+        let (quotients, mask) = dispatch(Apply([a, b]));
+        for (lane, quotient) in quotients.into_iter().enumerate() {
+            assert_eq!(quotient, (a[lane] + 3.0) / b[lane]);
+            assert_eq!(mask >> lane & 1 != 0, a[lane] < b[lane]);
+        }
+    }
 }

@@ -15,6 +15,8 @@ impl Simd for Avx512 {
     type F8 = MaskedEight;
     type F16 = Sixteen;
 
+    type Crossed = [u32; 8];
+
     const FUSES: bool = true;
 
     #[inline(always)]
@@ -82,5 +84,28 @@ impl Simd for Avx512 {
             Self::compress_floats(mask, near, distances);
             mask.count_ones()
         })
+    }
+
+    #[inline(always)]
+    fn crossed(
+        near: MaskedEight,
+        far: MaskedEight,
+        order: &[u32; 8],
+        shift: u32,
+    ) -> (Self::Crossed, u32) {
+        let mut lanes = [0; 8];
+        let count = op!({
+            let order = _mm256_srlv_epi32(load_words(order), _mm256_set1_epi32(shift as i32));
+            let near = MaskedEight(_mm256_permutexvar_ps(order, near.0));
+            let mask = near.le(MaskedEight(_mm256_permutexvar_ps(order, far.0))).bits();
+            store_words(&mut lanes, _mm256_maskz_compress_epi32(mask as u8, order));
+            mask.count_ones()
+        });
+        (lanes, count)
+    }
+
+    #[inline(always)]
+    fn crossed_lane(crossed: &Self::Crossed, number: u32) -> usize {
+        (crossed[number as usize & 7] & 7) as usize
     }
 }

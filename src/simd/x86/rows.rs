@@ -59,11 +59,12 @@ arithmetic!(Sixteen, _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps)
 
 macro_rules! lanes {
     (
-        $row:ident, $mask:ident, $compare:ident, $select:ident,
+        $row:ident, $mask:ident, $compare:ident, $select:ident, few registers: $few:literal,
         [$set:ident, $and:ident, $andnot:ident, $xor:ident, $sqrt:ident, $min:ident, $max:ident]
     ) => {
         impl Lanes for $row {
             type Mask = $mask;
+            const FEW_REGISTERS: bool = $few;
 
             #[inline(always)]
             fn splat(value: f32) -> Self {
@@ -135,6 +136,7 @@ lanes!(
     Signs,
     _mm256_cmp_ps,
     select_by_signs,
+    few registers: true,
     [
         _mm256_set1_ps,
         _mm256_and_ps,
@@ -150,6 +152,7 @@ lanes!(
     EightBits,
     _mm256_cmp_ps_mask,
     select_by_mask,
+    few registers: false,
     [
         _mm256_set1_ps,
         _mm256_and_ps,
@@ -165,6 +168,7 @@ lanes!(
     SixteenBits,
     _mm512_cmp_ps_mask,
     select_sixteen,
+    few registers: false,
     [
         _mm512_set1_ps,
         _mm512_and_ps,

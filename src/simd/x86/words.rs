@@ -31,6 +31,19 @@ pub(super) fn to_front(mask: u32) -> __m256i {
     op!(_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(lanes)))
 }
 
+/// The lowest bytes of the words that a mask keeps.
+#[inline(always)]
+pub(super) fn kept_bytes(mask: u32, words: __m256i) -> u64 {
+    // In registers, and little of it after the mask is known: what waits for this is the way down a tree.
+    op!({
+        let lowest = _mm256_set1_epi32(0x0c_08_04_00);
+        let fours = _mm256_shuffle_epi8(words, lowest);
+        let (low, high) = (_mm256_castsi256_si128(fours), _mm256_extracti128_si256::<1>(fours));
+        let kept = _mm_cvtsi64_si128(KEPT[(mask & 0xff) as usize] as i64);
+        _mm_cvtsi128_si64(_mm_shuffle_epi8(_mm_unpacklo_epi32(low, high), kept)) as u64
+    })
+}
+
 #[inline(always)]
 pub(super) fn load_words(words: &[u32; 8]) -> __m256i {
     op!(_mm256_loadu_si256(words.as_ptr().cast()))

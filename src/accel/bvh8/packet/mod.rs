@@ -13,7 +13,7 @@ mod rays;
 
 use std::hint::black_box;
 
-use crate::accel::{PACK, Packs, Primitives, Query, Search};
+use crate::accel::{Packs, Primitives, Query, Search};
 use crate::counters::Counters;
 use crate::math::{Hit, Lanes as _, Mask as _, Ray, ones};
 use crate::simd::{Cache, Kernel, LARGEST_PACKET, PacketKernel, Row, Simd, dispatch};
@@ -27,9 +27,6 @@ use super::coherence::Coherence;
 use super::diverged::Diverged;
 use super::node::{Child, order_shift};
 use super::task::{RayOf, Task};
-
-/// The lanes of a row, each in its own.
-static LANES: [u32; PACK] = [0, 1, 2, 3, 4, 5, 6, 7];
 
 /// The memory of a packet; `R` is a ray as the primitives' formula takes it.
 pub(super) struct Memory<R> {
@@ -187,7 +184,6 @@ pub(super) fn search<
     entries[0] = (Child::ROOT, all(N));
     begins[0] = [f32::NEG_INFINITY; LARGEST_PACKET];
     let mut top = 1;
-    let (mut lanes, mut entries_of) = ([0; PACK], [0.0; PACK]);
     let mut end = S::F8::splat(best.ends::<R>().largest());
     let shift = order_shift(packet.octant);
     while top > 0 {
@@ -229,10 +225,9 @@ pub(super) fn search<
             counters.boxes(node.present().count() as u32 * active.count_ones());
         }
         let (near, far) = packet.hull_of_node(node, end);
-        let crossed =
-            S::enter(near, far, &LANES, node.orders(), shift, &mut lanes, &mut entries_of);
-        for &lane in &lanes[..PACK.min(crossed as usize)] {
-            let lane = lane as usize % PACK;
+        let (crossed, count) = S::crossed(near, far, node.orders(), shift);
+        for number in 0..count {
+            let lane = S::crossed_lane(&crossed, number);
             let (near, far) = packet.interval(node, lane, best.ends());
             let entering = near.le(far).bits() & active;
             let child = Child(node.children()[lane]);
