@@ -101,6 +101,12 @@ impl Ray {
         [ox, oy, oz, self.t_min, dx, dy, dz, self.t_max]
     }
 
+    /// [`to_array`](Self::to_array) of several, where they lie.
+    #[inline(always)]
+    pub(crate) fn as_arrays<const N: usize>(rays: &[Self; N]) -> &[[f32; 8]; N] {
+        bytemuck::cast_slice(&rays[..]).first_chunk().expect("an array for each")
+    }
+
     /// The point at parameter `t`.
     #[must_use]
     pub fn at(&self, t: f32) -> Vec3 {

@@ -3,7 +3,7 @@
 use crate::accel::{Packs, Primitives, Query, Scratch};
 use crate::counters::Counters;
 use crate::math::Ray;
-use crate::simd::{Kernel, PacketKernel, Row, Simd, dispatch};
+use crate::simd::{Cache, Kernel, PacketKernel, Row, Simd, dispatch, prefetch};
 
 use super::Bvh8;
 use super::diverged::Diverged;
@@ -13,6 +13,10 @@ use super::wave;
 
 /// Rays that are traced together: few enough to stay in a core's cache.
 const AT_ONCE: usize = 4096;
+
+/// So many packets before they are traced, rays are asked for. A caller's many rays come from memory, and one packet
+/// takes so long that the processor does not see what is read next.
+const AHEAD: usize = 4;
 
 /// Answers a query for many rays. The tree needs stacks of less than [`HEIGHT`](super::HEIGHT).
 pub(super) fn search<P: Primitives, Q: Query, C: Counters>(
@@ -107,6 +111,9 @@ impl<R: Copy + Default> Memory<R> {
         for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
             let first = (number * N) as u32;
             let numbered = (first, rays);
+            if let Some(ahead) = packets.get(number + AHEAD) {
+                prefetch(ahead, Cache::Second);
+            }
             if in_several_octants(rays)
                 || packet::search::<S, L, P, Q, C, false, N>(
                     task, numbered, &mut lanes, answers, packet, diverged, counters,

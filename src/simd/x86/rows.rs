@@ -197,7 +197,7 @@ macro_rules! eight {
             }
             #[inline(always)]
             fn of_records(records: &[[f32; 8]; 8]) -> [Self; 8] {
-                let [a, b, c, d, e, f, g, h] = transposed(records);
+                let [a, b, c, d, e, f, g, h] = transposed(records.each_ref());
                 [Self(a), Self(b), Self(c), Self(d), Self(e), Self(f), Self(g), Self(h)]
             }
             #[inline(always)]
@@ -245,7 +245,7 @@ impl Row<16> for Sixteen {
     #[inline(always)]
     fn of_records(records: &[[f32; 8]; 16]) -> [Self; 8] {
         let (halves, _) = records.as_chunks::<8>();
-        let (low, high) = (transposed(&halves[0]), transposed(&halves[1]));
+        let (low, high) = (transposed(halves[0].each_ref()), transposed(halves[1].each_ref()));
         let mut rows = [Self::splat(0.0); 8];
         for i in 0..8 {
             let low = op!(_mm512_castps256_ps512(low[i]));

@@ -5,12 +5,15 @@
 
 use crate::accel::{PACK, Packs};
 use crate::math::{Lanes as _, Lanes3, Mask as _, Padding, Ray, search_ends};
-use crate::simd::{Row as _, Simd};
+use crate::simd::{Cache, Row as _, Simd, prefetch};
 
 use super::super::diverged::{Diverged, DivergedRay};
 use super::super::slab_ray::{LARGEST_PRODUCT, SlabTerms};
 use super::root::Columns;
 use super::slot::{AT_ROOT, Slot, near_plane, order};
+
+/// So many rays before they come, rays are asked for.
+const AHEAD: usize = 64;
 
 /// Rays that are not yet in flight.
 pub(super) struct Incoming<'a> {
@@ -153,6 +156,17 @@ impl<'a> Incoming<'a> {
             *index = self.ray(number + place.min(count - 1)).0;
         }
         (left > 0).then_some(Eight { index, count, number })
+    }
+
+    /// Asks for rays that come soon after these.
+    #[inline(always)]
+    pub(super) fn prefetch_ahead(&self, eight: &Eight, rays: &[Ray]) {
+        // Fresh rays are neighbours, mostly.
+        if let Some(&first) = self.fresh.get(eight.number + AHEAD)
+            && let Some(ahead) = rays[first as usize..].first_chunk::<PACK>()
+        {
+            prefetch(ahead, Cache::First);
+        }
     }
 
     /// What one of eight rays has done on its way, if it has begun.

@@ -77,6 +77,7 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
             let Some(eight) = incoming.next_eight() else { break };
             let ids = done.take_last(eight.count);
             let Eight { index, count, .. } = eight;
+            incoming.prefetch_ahead(&eight, rays);
             let (terms, columns) =
                 Terms::<S>::new::<P::Packs>(&index, rays, task.padding, formulas);
             let all = (1 << count) - 1;
