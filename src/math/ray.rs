@@ -101,6 +101,12 @@ impl Ray {
         [ox, oy, oz, self.t_min, dx, dy, dz, self.t_max]
     }
 
+    /// [`to_array`](Self::to_array), where it lies.
+    #[inline(always)]
+    pub(crate) fn as_array(&self) -> &[f32; 8] {
+        bytemuck::cast_ref(self)
+    }
+
     /// [`to_array`](Self::to_array) of several, where they lie.
     #[inline(always)]
     pub(crate) fn as_arrays<const N: usize>(rays: &[Self; N]) -> &[[f32; 8]; N] {

@@ -84,6 +84,11 @@ impl Simd for Portable {
     }
 
     #[inline(always)]
+    fn rows_of(records: [&[f32; 8]; 8]) -> [Self::F8; 8] {
+        Self::F8::of_records(&records.map(|record| *record))
+    }
+
+    #[inline(always)]
     fn signs(words: &[u32; 8]) -> u32 {
         words.iter().rev().fold(0, |signs, word| signs << 1 | word >> 31)
     }

@@ -72,6 +72,9 @@ pub trait Simd: Copy + Send + Sync + 'static {
     /// Eight rows, the first of which has all first floats of eight records, as these records, or the other way round.
     fn transpose_eight(rows: [Self::F8; 8]) -> [Self::F8; 8];
 
+    /// Eight records of eight floats as eight rows, the first of which has all first floats.
+    fn rows_of(records: [&[f32; 8]; 8]) -> [Self::F8; 8];
+
     /// The highest bits of eight words, word 0's the lowest.
     fn signs(words: &[u32; 8]) -> u32;
     /// A bit for each of eight words that equals one.

@@ -82,15 +82,15 @@ impl<S: Simd> Terms<S> {
         rays: &[Ray],
         padding: Padding,
     ) -> (Self, Columns<S>, [Lanes3<S::F8>; 2]) {
-        let [ox, oy, oz, t_min, dx, dy, dz, t_max] = S::transpose_eight([
-            S::F8::load(&rays[a as usize].to_array()),
-            S::F8::load(&rays[b as usize].to_array()),
-            S::F8::load(&rays[c as usize].to_array()),
-            S::F8::load(&rays[d as usize].to_array()),
-            S::F8::load(&rays[e as usize].to_array()),
-            S::F8::load(&rays[f as usize].to_array()),
-            S::F8::load(&rays[g as usize].to_array()),
-            S::F8::load(&rays[h as usize].to_array()),
+        let [ox, oy, oz, t_min, dx, dy, dz, t_max] = S::rows_of([
+            rays[a as usize].as_array(),
+            rays[b as usize].as_array(),
+            rays[c as usize].as_array(),
+            rays[d as usize].as_array(),
+            rays[e as usize].as_array(),
+            rays[f as usize].as_array(),
+            rays[g as usize].as_array(),
+            rays[h as usize].as_array(),
         ]);
         let t_max = search_ends(t_max);
         let (origin, dir): (Lanes3<S::F8>, Lanes3<S::F8>) = ([ox, oy, oz], [dx, dy, dz]);
