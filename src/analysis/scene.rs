@@ -6,7 +6,7 @@ use super::class::{ClassFigures, class_figures, quotient};
 use super::statistics::{
     BetweenRuns, BreakEven, Cost, break_even, estimate, paired_ratio, pareto_front,
 };
-use crate::record::{Estimate, PictureRound, RayClass, SceneRecord, StructureRecord};
+use crate::record::{Estimate, Memory, PictureRound, RayClass, SceneRecord, StructureRecord};
 
 /// The figures of all structures over a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,6 +31,9 @@ pub struct StructureFigures {
     pub build_all_threads_ns: Option<Estimate>,
     /// Bytes of the index per triangle in memory.
     pub bytes_per_triangle: Option<f64>,
+    /// Bytes of the index and of the primitives as they are traced, per triangle in memory: what can be compared
+    /// between all structures, since the index of a peer may hold the triangles.
+    pub total_bytes_per_triangle: Option<f64>,
     /// References from leaves to primitives, per primitive.
     pub references_per_primitive: Option<f64>,
     /// Wall time of build and rendering on all threads, in nanoseconds.
@@ -114,14 +117,16 @@ impl StructureFigures {
             .collect();
         let picture_rounds = picture_ns(own);
         let shape = own.shape.as_ref();
+        let per_triangle = |bytes: fn(&Memory) -> u64| {
+            let memory = own.memory.as_ref()?;
+            quotient(bytes(memory) as f64, triangles as f64)
+        };
         Self {
             structure: own.name.clone(),
             build_one_thread_ns: estimate(&floats(&own.build.one_thread_ns)),
             build_all_threads_ns: estimate(&floats(&own.build.all_threads_ns)),
-            bytes_per_triangle: own
-                .memory
-                .as_ref()
-                .and_then(|memory| quotient(memory.index_bytes as f64, triangles as f64)),
+            bytes_per_triangle: per_triangle(|memory| memory.index_bytes),
+            total_bytes_per_triangle: per_triangle(Memory::total_bytes),
             references_per_primitive: shape
                 .and_then(|shape| quotient(shape.references as f64, shape.primitives as f64)),
             picture_build_ns: estimate(&picture_part(own, |round| round.build_ns)),

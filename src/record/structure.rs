@@ -83,12 +83,20 @@ pub struct BuildStage {
 /// Memory in bytes.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Memory {
-    /// The index itself, without the primitives.
+    /// The index itself, without the primitives; of a peer with what it holds of them.
     pub index_bytes: u64,
     /// The primitives as they are traced.
     pub primitive_bytes: u64,
     /// The largest resident memory of the process during a build, where the system reports it.
     pub peak_resident_bytes: Option<u64>,
+}
+
+impl Memory {
+    /// The index and the primitives: all that rays read.
+    #[must_use]
+    pub fn total_bytes(&self) -> u64 {
+        self.index_bytes.saturating_add(self.primitive_bytes)
+    }
 }
 
 /// The shape of a structure: the sums over all meshes, each mesh once; in a scene without meshes, the structure over

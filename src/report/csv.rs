@@ -14,7 +14,7 @@ use crate::record::{
     Conformance, ConformanceOutcome, Estimate, Memory, SceneRecord, Status, StructureRecord,
 };
 
-const HEADS: [&str; 38] = [
+const HEADS: [&str; 40] = [
     "scene",
     "triangles",
     "structure",
@@ -45,6 +45,8 @@ const HEADS: [&str; 38] = [
     "build_all_threads_ns",
     "index_bytes",
     "bytes_per_triangle",
+    "primitive_bytes",
+    "total_bytes_per_triangle",
     "sah_cost",
     "epo",
     "epo_standard_error",
@@ -79,7 +81,7 @@ fn row(
     own: &StructureFigures,
     conformance: Option<&Conformance>,
     class: Option<&ClassFigures>,
-) -> [String; 38] {
+) -> [String; 40] {
     let ns = class.and_then(|class| class.ns_per_ray);
     let rate = parts(class.and_then(|class| class.million_rays_per_second));
     let speedup = parts(class.and_then(|class| class.speedup));
@@ -119,6 +121,8 @@ fn row(
         value(own.build_all_threads_ns),
         whole(record.memory.as_ref().map(|memory: &Memory| memory.index_bytes)),
         number(own.bytes_per_triangle),
+        whole(record.memory.as_ref().map(|memory: &Memory| memory.primitive_bytes)),
+        number(own.total_bytes_per_triangle),
         number(shape.and_then(|shape| shape.sah_cost)),
         number(shape.and_then(|shape| shape.epo)),
         number(shape.and_then(|shape| shape.epo_standard_error)),

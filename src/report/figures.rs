@@ -84,7 +84,7 @@ pub(super) fn memory_by_scene(looks: &Looks, report: &Report<'_>) -> Option<Plot
         let scene = report.comparison.scenes.iter().find(|own| own.name == scene.scene)?;
         let memory = scene.structure(&own.structure)?.memory.as_ref()?;
         let things = scene.objects + scene.stored_triangles;
-        (things > 0).then(|| (memory.index_bytes + memory.primitive_bytes) as f64 / things as f64)
+        (things > 0).then(|| memory.total_bytes() as f64 / things as f64)
     };
     LanePlot {
         title: "All scenes: memory".to_owned(),

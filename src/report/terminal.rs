@@ -111,7 +111,7 @@ fn scene_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
     let mut table = Table::new("", "", &heads);
     let rows = scene.structures.iter().zip(&figures.structures).map(|(record, own)| {
-        let memory = record.memory.as_ref().map(|memory| numbers::bytes(memory.index_bytes));
+        let memory = record.memory.as_ref().map(|memory| numbers::bytes(memory.total_bytes()));
         let time = |ns: Option<Estimate>| or_dash(ns.map(|ns| numbers::time(ns.value)));
         let mut row = vec![record.name.clone()];
         row.extend(classes.iter().map(|&class| rate(own, class)));

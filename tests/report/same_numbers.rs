@@ -193,7 +193,9 @@ fn csv_has_every_figure_of_the_json() {
                     csv_estimate(row, "picture_ns", &structure["picture_ns"]);
                     same(row["boxes_per_ray"], &class["boxes_per_ray"]);
                     same(row["rounds"], &class["ns_per_ray"]["rounds"]);
-                    same(row["bytes_per_triangle"], &structure["bytes_per_triangle"]);
+                    for name in ["bytes_per_triangle", "total_bytes_per_triangle"] {
+                        same(row[name], &structure[name]);
+                    }
                     for name in
                         ["instructions_per_cycle", "branch_misses_per_ray", "cache_misses_per_ray"]
                     {

@@ -4,7 +4,7 @@ use super::{Cell, Table};
 use crate::analysis::statistics::BreakEven;
 use crate::analysis::{ClassFigures, SceneFigures, StructureFigures};
 use crate::record::{
-    PeerAgreement, Proof, RecordedRays, SceneRecord, ShapeRecord, Status, StructureProof,
+    Memory, PeerAgreement, Proof, RecordedRays, SceneRecord, ShapeRecord, Status, StructureProof,
     StructureRecord,
 };
 use crate::report::numbers;
@@ -127,7 +127,8 @@ pub(in crate::report) fn structure_table(scene: &SceneRecord, figures: &SceneFig
         "#EPO",
     ];
     let note = format!(
-        "Memory is that of the index without its primitives. Below a time is the 95 % interval of \
+        "Memory is that of the index and of the primitives as they are traced, which some \
+         structures copy, and a library may hold in its index. Below a time is the 95 % interval of \
          its median. SAH cost is the expected cost of a ray by the surface area heuristic. EPO is \
          the end-point overlap: the cost of the boxes around a ray's end point that do not belong \
          to the surface there. A test costs 1.{}",
@@ -152,8 +153,8 @@ fn structure_row(
         Cell::text(status(&record.status)),
         Cell::time(figures.build_one_thread_ns),
         Cell::time(figures.build_all_threads_ns),
-        Cell::of(memory.map(|memory| memory.index_bytes), numbers::bytes),
-        Cell::of(figures.bytes_per_triangle, numbers::figures),
+        Cell::of(memory.map(Memory::total_bytes), numbers::bytes),
+        Cell::of(figures.total_bytes_per_triangle, numbers::figures),
         Cell::of(memory.and_then(|memory| memory.peak_resident_bytes), numbers::bytes),
         Cell::of(shape.map(|shape| shape.nodes), numbers::whole),
         Cell::of(shape.map(|shape| shape.leaves), numbers::whole),
