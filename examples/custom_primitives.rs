@@ -95,7 +95,7 @@ impl Hair {
         let (capsule, id) = &self.capsules[slot as usize];
         let (enter, leave) = capsule.crossing(ray)?;
         let counts =
-            |&t: &f32| ray.t_min <= t && t <= ray.t_max && box_ray.accepts(&capsule.bounds(), t);
+            |&t: &f32| ray.t_min <= t && t <= ray.end() && box_ray.accepts(&capsule.bounds(), t);
         let t = [enter as f32, leave as f32].into_iter().find(counts)?;
         Some(Hit { t, object: 0, prim: *id, u: capsule.share(ray.at(t)), v: 0.0 })
     }

@@ -42,7 +42,7 @@
 //!
 //! * `program`, on by default: the command `srt` and all that it is made of, as described
 //!   [below](#the-program). With `default-features = false`, the crate is the modules above and
-//!   six direct dependencies.
+//!   seven direct dependencies.
 //! * `embree`: Intel's Embree 3 and 4 beside this crate's structures. They trace whole scenes, so it turns
 //!   `program` on; their libraries are loaded as they are asked for.
 //! * `libraries`: obvhs, parry3d and bvh as they are shipped, beside this crate's structures, and the trees of the

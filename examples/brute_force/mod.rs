@@ -71,7 +71,7 @@ impl ForeignTracer for BruteForce {
 
     fn trace(&self, rays: &[Ray], answers: Answers<'_>) {
         let parts = |ray: &Ray| {
-            let within = f64::from(ray.t_min)..=f64::from(ray.t_max);
+            let within = f64::from(ray.t_min)..=f64::from(ray.end());
             (ray.origin.as_dvec3(), ray.dir.as_dvec3(), within)
         };
         match answers {

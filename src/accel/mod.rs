@@ -198,7 +198,7 @@ pub trait Accel: Sized + Send + Sync {
 
     /// Offers ranges of slots that the ray may hit, near ones first where it can.
     ///
-    /// The search starts at `ray.t_max`. `leaf` tests a range and returns the new end of the
+    /// The search starts at [`Ray::end`]. `leaf` tests a range and returns the new end of the
     /// search (at most the one before), or breaks to end it. `box_ray` is the ray with the padding
     /// of the primitives.
     fn traverse<C: Counters>(

@@ -31,8 +31,8 @@ pub struct StructureFigures {
     pub build_all_threads_ns: Option<Estimate>,
     /// Bytes of the index per triangle in memory.
     pub bytes_per_triangle: Option<f64>,
-    /// Bytes of the index and of the primitives as they are traced, per triangle in memory: what can be compared
-    /// between all structures, since the index of a peer may hold the triangles.
+    /// Bytes of the index and of the triangles together, per triangle in memory: what can be compared with a peer,
+    /// whose index may hold the triangles.
     pub total_bytes_per_triangle: Option<f64>,
     /// References from leaves to primitives, per primitive.
     pub references_per_primitive: Option<f64>,

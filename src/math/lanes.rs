@@ -137,8 +137,8 @@ macro_rules! vector {
 
         impl Lanes for $vector {
             type Mask = $mask;
-            // SSE2 has sixteen.
-            const FEW_REGISTERS: bool = true;
+            // SSE2 has sixteen, NEON has 32.
+            const FEW_REGISTERS: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
 
             #[inline(always)]
             fn splat(value: f32) -> Self {

@@ -107,12 +107,6 @@ impl Ray {
         bytemuck::cast_ref(self)
     }
 
-    /// [`to_array`](Self::to_array) of several, where they lie.
-    #[inline(always)]
-    pub(crate) fn as_arrays<const N: usize>(rays: &[Self; N]) -> &[[f32; 8]; N] {
-        bytemuck::cast_slice(&rays[..]).first_chunk().expect("an array for each")
-    }
-
     /// The point at parameter `t`.
     #[must_use]
     pub fn at(&self, t: f32) -> Vec3 {
@@ -120,8 +114,8 @@ impl Ray {
     }
 }
 
-/// [`Ray::end`] of several rays, by their `t_max`. A NaN is left, since vectors give the second of two values where
-/// either is one; nothing is before it.
+/// [`Ray::end`] of the rays of a row, by their `t_max`. A NaN is left, and nothing is before it: rows give the second
+/// of two values where either is one, which a scalar does not.
 #[inline(always)]
 pub(crate) fn search_ends<L: Lanes>(t_max: L) -> L {
     L::splat(f32::MAX).min(t_max)

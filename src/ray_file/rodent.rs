@@ -53,7 +53,7 @@ pub enum RodentError {
 /// # Errors
 /// If not all rays have one interval.
 pub fn encode(rays: &[Ray]) -> Result<(Vec<u8>, [f32; 2]), RodentError> {
-    let interval = |ray: &Ray| [ray.t_min, ray.t_max];
+    let interval = |ray: &Ray| [ray.t_min, ray.end()];
     let first = rays.first().map_or([0.0, f32::MAX], interval);
     if let Some(index) = rays.iter().position(|ray| interval(ray) != first) {
         return Err(RodentError::Intervals { index, own: interval(&rays[index]), first });

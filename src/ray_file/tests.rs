@@ -15,11 +15,13 @@ fn example() -> RayFile {
     let hit = Hit { t: 0.5, object: 3, prim: 7, u: 0.25, v: -0.0 };
     let closest = RayAnswers::ClosestHit(vec![hit, Hit::MISS, hit]);
     let any = RayAnswers::AnyHit(vec![true, false]);
+    let mut endless = rays(2);
+    endless[1].t_max = f32::INFINITY;
     RayFile {
         geometry: std::array::from_fn(|i| i as u8),
         classes: vec![
             ClassRays { class: RayClass::View, rays: rays(3), answers: closest },
-            ClassRays { class: RayClass::Shadow, rays: rays(2), answers: any },
+            ClassRays { class: RayClass::Shadow, rays: endless, answers: any },
         ],
     }
 }

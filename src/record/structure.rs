@@ -85,14 +85,14 @@ pub struct BuildStage {
 pub struct Memory {
     /// The index itself, without the primitives; of a peer with what it holds of them.
     pub index_bytes: u64,
-    /// The primitives as they are traced.
+    /// The triangles of meshes as they are traced; of a peer what it keeps of them outside of its index.
     pub primitive_bytes: u64,
     /// The largest resident memory of the process during a build, where the system reports it.
     pub peak_resident_bytes: Option<u64>,
 }
 
 impl Memory {
-    /// The index and the primitives: all that rays read.
+    /// The index and the triangles; of a peer all that it keeps.
     #[must_use]
     pub fn total_bytes(&self) -> u64 {
         self.index_bytes.saturating_add(self.primitive_bytes)

@@ -70,7 +70,8 @@ pub trait ForeignTracer: Send + Sync + Sized {
         build: &ForeignBuild<'_>,
     ) -> Result<Self, Box<dyn Error + Send + Sync>>;
 
-    /// Answers the query that the kind of `answers` stands for, for each ray, between its `t_min` and its `t_max`.
+    /// Answers the query that the kind of `answers` stands for, for each ray, between its `t_min` and its `t_max`,
+    /// which may be infinite: [`Ray::end`] is not.
     /// The slices have one length. Called from several threads at once.
     fn trace(&self, rays: &[Ray], answers: Answers<'_>);
 

@@ -35,7 +35,7 @@ impl<S: Simd> RayGroup<S> {
             records[lane % LANES] = ray.to_array();
             ends[lane % LANES] = query.end(ray, &answers[at as usize]);
         }
-        let rows = S::F16::of_records(records);
+        let rows = S::F16::of_records(records.each_ref());
         let of_ray = [rows[3], S::F16::load(&ends)];
         let mut group = Self {
             origin: [rows[0], rows[1], rows[2]],

@@ -237,7 +237,7 @@ impl Default for TriangleRay {
 #[derive(Clone, Copy, Debug)]
 pub struct TriangleRays<L> {
     axes: MixedAxes,
-    pub(super) sheared: ShearedRay<L>,
+    sheared: ShearedRay<L>,
 }
 
 /// The axes of several rays: those of one of them, and of the others the lanes in which theirs differ.
@@ -322,7 +322,7 @@ impl<L: Lanes> TriangleRays<L> {
 
     /// The corners of a triangle, by their numbers and coordinates, in the order of each ray's axes.
     #[inline(always)]
-    pub(super) fn arrange(&self, coordinate: impl Fn(usize, Axis) -> f32) -> [Lanes3<L>; 3] {
+    fn arrange(&self, coordinate: impl Fn(usize, Axis) -> f32) -> [Lanes3<L>; 3] {
         if self.axes.differ {
             let axes = &self.axes;
             [

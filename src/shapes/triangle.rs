@@ -188,8 +188,7 @@ impl SingleShape for Triangle {
         let inv_dir = [finite_reciprocal(x), finite_reciprocal(y), finite_reciprocal(z)];
         let of_triangles = TriangleRays::new(&rays.origin, &rays.dir, &inv_dir);
         let corners = &self.corners;
-        let places = of_triangles.arrange(|corner, axis| corners[corner][axis as usize]);
-        let mut hits = scaled_hit(&of_triangles.sheared, places);
+        let mut hits = of_triangles.scaled_hit(|corner, axis| corners[corner][axis as usize]);
         let flat = hits.flat();
         if flat != 0 {
             let rays = rays.rays();

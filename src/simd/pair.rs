@@ -156,9 +156,9 @@ macro_rules! row_of_two {
                 self.1.store(&mut halves[1]);
             }
             #[inline(always)]
-            fn of_records(records: &[[f32; 8]; $whole]) -> [Self; 8] {
+            fn of_records(records: [&[f32; 8]; $whole]) -> [Self; 8] {
                 let (halves, _) = records.as_chunks::<$half>();
-                let (low, high) = (R::of_records(&halves[0]), R::of_records(&halves[1]));
+                let (low, high) = (R::of_records(halves[0]), R::of_records(halves[1]));
                 let mut rows = [Self(low[0], high[0]); 8];
                 let mut i = 1;
                 while i < 8 {

@@ -25,7 +25,7 @@ impl Row<4> for Vec4 {
         *values = self.to_array();
     }
     #[inline(always)]
-    fn of_records(records: &[[f32; 8]; 4]) -> [Self; 8] {
+    fn of_records(records: [&[f32; 8]; 4]) -> [Self; 8] {
         let mut rows = [Vec4::ZERO; 8];
         let mut i = 0;
         while i < 8 {
@@ -81,11 +81,6 @@ impl Simd for Portable {
             *row = Self::F8::load(record);
         }
         rows
-    }
-
-    #[inline(always)]
-    fn rows_of(records: [&[f32; 8]; 8]) -> [Self::F8; 8] {
-        Self::F8::of_records(&records.map(|record| *record))
     }
 
     #[inline(always)]

@@ -13,7 +13,7 @@ pub trait Row<const N: usize>: Lanes {
     /// Writes the lanes to an array.
     fn store(self, values: &mut [f32; N]);
     /// `N` records of eight floats as eight rows, the first of which has all first floats.
-    fn of_records(records: &[[f32; 8]; N]) -> [Self; 8];
+    fn of_records(records: [&[f32; 8]; N]) -> [Self; 8];
     /// The smallest lane; of numbers alone.
     fn smallest(self) -> f32;
     /// The largest lane; of numbers alone.
@@ -71,9 +71,6 @@ pub trait Simd: Copy + Send + Sync + 'static {
     fn halves(row: Self::F8) -> [Vec4; 2];
     /// Eight rows, the first of which has all first floats of eight records, as these records, or the other way round.
     fn transpose_eight(rows: [Self::F8; 8]) -> [Self::F8; 8];
-
-    /// Eight records of eight floats as eight rows, the first of which has all first floats.
-    fn rows_of(records: [&[f32; 8]; 8]) -> [Self::F8; 8];
 
     /// The highest bits of eight words, word 0's the lowest.
     fn signs(words: &[u32; 8]) -> u32;

@@ -3,6 +3,7 @@
 // tinybvh ends the process where it is misused (BVH_FATAL_ERROR), and its stacks have fixed heights that it does not
 // check. So what it does not take is refused here, before it sees it.
 
+#include <cfloat>
 #include <cmath>
 #include <cstdint>
 
@@ -93,7 +94,8 @@ inline bool prepare( const Query& query, Ray& ray, float& length )
 		d = bvhvec3( (float)(x / precise), (float)(y / precise), (float)(z / precise) );
 	}
 	ray.D = d, ray.rD = tinybvh_rcp( d );
-	const float end = (query.t_max - query.t_min) * length;
+	// An infinite end means the largest float.
+	const float end = ((query.t_max > FLT_MAX ? FLT_MAX : query.t_max) - query.t_min) * length;
 	ray.hit.t = end < FARTHEST ? end : FARTHEST;
 	const auto is_near = []( float x ) { return fabsf( x ) < FARTHEST; };
 	return length > 0 && is_near( ray.O.x ) && is_near( ray.O.y ) && is_near( ray.O.z ) && !std::isnan( d.x + d.y + d.z + end );

@@ -41,10 +41,10 @@ pub(crate) fn rays(scene: &Scene) -> Vec<Ray> {
     let through = |n: u32| {
         let origin = Vec3::from(bounds.min) + point() * Vec3::from(bounds.size());
         let dir = 2.0 * point() - 1.0;
-        if n.is_multiple_of(2) {
-            Ray::new(origin, dir)
-        } else {
-            Ray::with_interval(origin, dir, 0.1, 0.8)
+        match n % 4 {
+            0 => Ray::new(origin, dir),
+            2 => Ray::with_interval(origin, dir, 0.0, f32::INFINITY),
+            _ => Ray::with_interval(origin, dir, 0.1, 0.8),
         }
     };
     view.chain((0..40_003).map(through)).collect()

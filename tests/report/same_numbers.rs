@@ -177,6 +177,10 @@ fn csv_has_every_figure_of_the_json() {
         for scene in derived(&comparison)["scenes"].as_array().unwrap() {
             for structure in scene["structures"].as_array().unwrap() {
                 let classes = structure["classes"].as_array().unwrap();
+                let of_scene = comparison.scenes.iter().find(|own| scene["scene"] == own.name);
+                let record = of_scene.unwrap().structure(structure["structure"].as_str().unwrap());
+                let memory = record.unwrap().memory.as_ref();
+                let primitive_bytes = memory.map(|memory| memory.primitive_bytes.to_string());
                 if classes.is_empty() {
                     let row = rows.next().unwrap();
                     assert!(row["class"].is_empty() && row["ns_per_ray"].is_empty());
@@ -192,6 +196,7 @@ fn csv_has_every_figure_of_the_json() {
                     csv_estimate(row, "speedup", &class["speedup"]);
                     csv_estimate(row, "picture_ns", &structure["picture_ns"]);
                     same(row["boxes_per_ray"], &class["boxes_per_ray"]);
+                    assert_eq!(row["primitive_bytes"], primitive_bytes.as_deref().unwrap_or(""));
                     same(row["rounds"], &class["ns_per_ray"]["rounds"]);
                     for name in ["bytes_per_triangle", "total_bytes_per_triangle"] {
                         same(row[name], &structure[name]);

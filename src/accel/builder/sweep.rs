@@ -88,8 +88,8 @@ impl Sweep {
     ) {
         self.unite::<S, N>(line);
         for first in (0..N).step_by(LANES) {
-            let left = S::F16::of_records(chunk(&self.left, first));
-            let right = S::F16::of_records(chunk(&self.right, first));
+            let left = S::F16::of_records(chunk(&self.left, first).each_ref());
+            let right = S::F16::of_records(chunk(&self.right, first).each_ref());
             let places = some::<S::F16>(left[COUNT], right[COUNT]);
             if places == 0 {
                 continue;

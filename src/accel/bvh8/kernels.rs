@@ -16,7 +16,7 @@ const AT_ONCE: usize = 4096;
 
 /// So many packets before they are traced, rays are asked for. A caller's many rays come from memory, and one packet
 /// takes so long that the processor does not see what is read next.
-const AHEAD: usize = 4;
+const PACKETS_AHEAD: usize = 4;
 
 /// Answers a query for many rays. The tree needs stacks of less than [`HEIGHT`](super::HEIGHT).
 pub(super) fn search<P: Primitives, Q: Query, C: Counters>(
@@ -111,7 +111,7 @@ impl<R: Copy + Default> Memory<R> {
         for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
             let first = (number * N) as u32;
             let numbered = (first, rays);
-            if let Some(ahead) = packets.get(number + AHEAD) {
+            if let Some(ahead) = packets.get(number + PACKETS_AHEAD) {
                 prefetch(ahead, Cache::Second);
             }
             if in_several_octants(rays)

@@ -157,7 +157,7 @@ fn rows_of<S: Simd>(points: &LanePoints<'_>, first: usize, count: usize) -> [S::
             records[lane][..points.len()].copy_from_slice(points);
         }
     }
-    S::F16::of_records(&records)
+    S::F16::of_records(records.each_ref())
 }
 
 /// Puts the rays of the lanes of a mask to the front of `rays`, and returns how many there are.

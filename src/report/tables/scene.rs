@@ -127,8 +127,8 @@ pub(in crate::report) fn structure_table(scene: &SceneRecord, figures: &SceneFig
         "#EPO",
     ];
     let note = format!(
-        "Memory is that of the index and of the primitives as they are traced, which some \
-         structures copy, and a library may hold in its index. Below a time is the 95 % interval of \
+        "Memory is that of the index and of the triangles of meshes, which some structures copy; \
+         of a library it is all that it keeps. Below a time is the 95 % interval of \
          its median. SAH cost is the expected cost of a ray by the surface area heuristic. EPO is \
          the end-point overlap: the cost of the boxes around a ray's end point that do not belong \
          to the surface there. A test costs 1.{}",

@@ -12,17 +12,8 @@ impl Kernel for Eight<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let [a, b, c, d, e, f, g, h] = self.0.map(|ray| ray.to_array());
-        let [ox, oy, oz, _, dx, dy, dz, _] = S::transpose_eight([
-            S::F8::load(&a),
-            S::F8::load(&b),
-            S::F8::load(&c),
-            S::F8::load(&d),
-            S::F8::load(&e),
-            S::F8::load(&f),
-            S::F8::load(&g),
-            S::F8::load(&h),
-        ]);
+        let [ox, oy, oz, _, dx, dy, dz, _] =
+            S::F8::of_records(self.0.each_ref().map(Ray::as_array));
         let one = S::F8::splat(1.0);
         let inv_dir = [one / dx, one / dy, one / dz];
         TriangleRay::eight::<S>(&[ox, oy, oz], &[dx, dy, dz], &inv_dir, self.1);
@@ -73,6 +64,7 @@ fn lanes_have_the_axis_of_each_of_them() {
     let inv_dir = rows.map(|row| Vec4::ONE / row);
     let rays = TriangleRays::new(&rows, &rows, &inv_dir);
     let corners = rays.arrange(|corner, axis| [1.0, 2.0, 3.0][axis as usize] + corner as f32);
+    let of_formula = rays.scaled_hit(|corner, axis| [1.0, 2.0, 3.0][axis as usize] + corner as f32);
     for (lane, dir) in dirs.into_iter().enumerate() {
         for (number, corner) in corners.iter().enumerate() {
             let point = [1.0, 2.0, 3.0].map(|coordinate| coordinate + number as f32);
@@ -83,5 +75,8 @@ fn lanes_have_the_axis_of_each_of_them() {
         assert_eq!(origin.map(|row| row[lane]), alone.origin);
         assert_eq!(slopes.map(|row| row[lane]), alone.slopes);
         assert_eq!(along.map(|row| row[lane]), alone.along);
+        let hit = scaled_hit(&alone, corners.map(|corner| corner.map(|row| row[lane])));
+        let [t, u, v, scale] = [of_formula.t, of_formula.u, of_formula.v, of_formula.scale];
+        assert_eq!([t[lane], u[lane], v[lane], scale[lane]], [hit.t, hit.u, hit.v, hit.scale]);
     }
 }

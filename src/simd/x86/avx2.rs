@@ -9,9 +9,7 @@ use super::super::{LARGEST_PACKET, PacketKernel, Row as _, Simd};
 use super::Avx2;
 use super::masks::sign_bits;
 use super::rows::Eight;
-use super::words::{
-    halves, kept_bytes, load_words, store_words, to_front, transposed, transposed_rows,
-};
+use super::words::{halves, kept_bytes, load_words, store_words, to_front, transposed_rows};
 use crate::math::{Lanes as _, Mask as _};
 
 impl Simd for Avx2 {
@@ -37,12 +35,6 @@ impl Simd for Avx2 {
     fn transpose_eight(rows: [Eight; 8]) -> [Eight; 8] {
         let [a, b, c, d, e, f, g, h] = rows;
         let [a, b, c, d, e, f, g, h] = transposed_rows([a.0, b.0, c.0, d.0, e.0, f.0, g.0, h.0]);
-        [Eight(a), Eight(b), Eight(c), Eight(d), Eight(e), Eight(f), Eight(g), Eight(h)]
-    }
-
-    #[inline(always)]
-    fn rows_of(records: [&[f32; 8]; 8]) -> [Eight; 8] {
-        let [a, b, c, d, e, f, g, h] = transposed(records);
         [Eight(a), Eight(b), Eight(c), Eight(d), Eight(e), Eight(f), Eight(g), Eight(h)]
     }
 

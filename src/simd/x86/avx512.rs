@@ -8,7 +8,7 @@ use super::super::pair::Pair;
 use super::super::{LARGEST_PACKET, PacketKernel, Row as _, Simd};
 use super::Avx512;
 use super::rows::{MaskedEight, Sixteen};
-use super::words::{halves, load_words, store_words, transposed, transposed_rows};
+use super::words::{halves, load_words, store_words, transposed_rows};
 use crate::math::{Lanes as _, Mask as _};
 
 impl Simd for Avx512 {
@@ -33,21 +33,6 @@ impl Simd for Avx512 {
     fn transpose_eight(rows: [MaskedEight; 8]) -> [MaskedEight; 8] {
         let [a, b, c, d, e, f, g, h] = rows;
         let [a, b, c, d, e, f, g, h] = transposed_rows([a.0, b.0, c.0, d.0, e.0, f.0, g.0, h.0]);
-        [
-            MaskedEight(a),
-            MaskedEight(b),
-            MaskedEight(c),
-            MaskedEight(d),
-            MaskedEight(e),
-            MaskedEight(f),
-            MaskedEight(g),
-            MaskedEight(h),
-        ]
-    }
-
-    #[inline(always)]
-    fn rows_of(records: [&[f32; 8]; 8]) -> [MaskedEight; 8] {
-        let [a, b, c, d, e, f, g, h] = transposed(records);
         [
             MaskedEight(a),
             MaskedEight(b),

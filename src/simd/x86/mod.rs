@@ -5,7 +5,7 @@
 //! that have the features. That is the reason why the intrinsics below are safe to call: **the
 //! SAFETY of every block in this folder is that the processor has AVX2 and FMA, or AVX-512 (F, VL,
 //! BW, DQ), because nothing else can name these types.** Loads and stores are unaligned, through
-//! references to whole arrays.
+//! references to whole arrays, or to arrays of which they take a part.
 
 /// An intrinsic, safe to call for the reason at the head of the file. Above the other files, which use it.
 macro_rules! op {

@@ -196,8 +196,8 @@ macro_rules! eight {
                 op!(_mm256_storeu_ps(values.as_mut_ptr(), self.0));
             }
             #[inline(always)]
-            fn of_records(records: &[[f32; 8]; 8]) -> [Self; 8] {
-                let [a, b, c, d, e, f, g, h] = transposed(records.each_ref());
+            fn of_records(records: [&[f32; 8]; 8]) -> [Self; 8] {
+                let [a, b, c, d, e, f, g, h] = transposed(records);
                 [Self(a), Self(b), Self(c), Self(d), Self(e), Self(f), Self(g), Self(h)]
             }
             #[inline(always)]
@@ -243,9 +243,9 @@ impl Row<16> for Sixteen {
         op!(_mm512_storeu_ps(values.as_mut_ptr(), self.0));
     }
     #[inline(always)]
-    fn of_records(records: &[[f32; 8]; 16]) -> [Self; 8] {
+    fn of_records(records: [&[f32; 8]; 16]) -> [Self; 8] {
         let (halves, _) = records.as_chunks::<8>();
-        let (low, high) = (transposed(halves[0].each_ref()), transposed(halves[1].each_ref()));
+        let (low, high) = (transposed(halves[0]), transposed(halves[1]));
         let mut rows = [Self::splat(0.0); 8];
         for i in 0..8 {
             let low = op!(_mm512_castps256_ps512(low[i]));

@@ -62,7 +62,7 @@ impl<R> Formulas<R> {
                 continue;
             }
             self.known |= lanes;
-            let rows = S::F8::of_records(Ray::as_arrays(eight));
+            let rows = S::F8::of_records(eight.each_ref().map(Ray::as_array));
             let [ox, oy, oz, _, dx, dy, dz, _] = rows;
             let inv_dir = [finite_reciprocal(dx), finite_reciprocal(dy), finite_reciprocal(dz)];
             K::eight_rays::<S>(&[ox, oy, oz], &[dx, dy, dz], &inv_dir, places);

@@ -68,7 +68,7 @@ impl<S: Simd, R: Row<N>, const N: usize> Packet<S, R, N> {
     /// rays' ends, and whether the usual terms will do: else they must be [`cut`](Self::cut).
     #[inline(always)]
     pub(super) fn load(&mut self, rays: &[Ray; N], padding: Padding) -> Option<(R, bool)> {
-        let rows = R::of_records(Ray::as_arrays(rays));
+        let rows = R::of_records(rays.each_ref().map(Ray::as_array));
         let (origin, dir) = ([rows[0], rows[1], rows[2]], [rows[4], rows[5], rows[6]]);
         let (one, zero) = (R::splat(1.0), R::splat(0.0));
         let inv_dir = [one / dir[0], one / dir[1], one / dir[2]];

@@ -13,7 +13,7 @@ use super::root::Columns;
 use super::slot::{AT_ROOT, Slot, near_plane, order};
 
 /// So many rays before they come, rays are asked for.
-const AHEAD: usize = 64;
+const RAYS_AHEAD: usize = 64;
 
 /// Rays that are not yet in flight.
 pub(super) struct Incoming<'a> {
@@ -82,7 +82,7 @@ impl<S: Simd> Terms<S> {
         rays: &[Ray],
         padding: Padding,
     ) -> (Self, Columns<S>, [Lanes3<S::F8>; 2]) {
-        let [ox, oy, oz, t_min, dx, dy, dz, t_max] = S::rows_of([
+        let [ox, oy, oz, t_min, dx, dy, dz, t_max] = S::F8::of_records([
             rays[a as usize].as_array(),
             rays[b as usize].as_array(),
             rays[c as usize].as_array(),
@@ -162,7 +162,7 @@ impl<'a> Incoming<'a> {
     #[inline(always)]
     pub(super) fn prefetch_ahead(&self, eight: &Eight, rays: &[Ray]) {
         // Fresh rays are neighbours, mostly.
-        if let Some(&first) = self.fresh.get(eight.number + AHEAD)
+        if let Some(&first) = self.fresh.get(eight.number + RAYS_AHEAD)
             && let Some(ahead) = rays[first as usize..].first_chunk::<PACK>()
         {
             prefetch(ahead, Cache::First);
@@ -245,7 +245,8 @@ mod tests {
                 if still < 3 {
                     dir[still as usize] = STILL[random.below(8) as usize];
                 }
-                Ray::with_interval(origin, dir, random.next_f32(), 9.0 * random.next_f32())
+                let end = if random.below(4) > 0 { 9.0 * random.next_f32() } else { f32::INFINITY };
+                Ray::with_interval(origin, dir, random.next_f32(), end)
             });
             let (rows, of_usual, alone) = dispatch(Prepare(&order, &rays));
             for (lane, [near, far]) in rows.into_iter().enumerate() {
@@ -259,7 +260,7 @@ mod tests {
                 assert!(of_usual >> lane & 1 == 1);
                 let [x, y, z] = slab.inv_dir.to_array();
                 let [p, q, r] = slab.near.to_array();
-                assert_eq!(near, [x, y, z, ray.t_min, p, q, r, ray.t_max]);
+                assert_eq!(near, [x, y, z, ray.t_min, p, q, r, ray.end()]);
                 assert_eq!(far[..3], slab.far.to_array());
                 let [a, b, c] = near_planes(slab.octant);
                 let bits = [1, a, b, c, order_shift(slab.octant)];
