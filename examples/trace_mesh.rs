@@ -10,7 +10,7 @@ use std::f32::consts::TAU;
 use srt::accel::{Bounded, BuildConfig, Bvh8, ClosestHit, Indexed};
 use srt::glam::Vec3;
 use srt::math::{Hit, Ray};
-use srt::shapes::TriangleSet;
+use srt::shapes::TriangleMesh;
 
 const COLUMNS: usize = 72;
 const ROWS: usize = 32;
@@ -24,9 +24,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         Some(path) => read_obj(&std::fs::read_to_string(path)?)?,
         None => torus(160, 64),
     };
-    let triangles = TriangleSet::try_new(&positions, &indices)?;
-    let bounds = triangles.total_bounds();
-    let bvh: Indexed<_, Bvh8> = Indexed::build(triangles, &BuildConfig::default());
+    let mesh = TriangleMesh::try_new(&positions, &indices)?;
+    let bounds = mesh.total_bounds();
+    let bvh: Indexed<_, Bvh8> = Indexed::build(mesh, &BuildConfig::default());
 
     // Parallel rays from above, a ray for each character. Many rays in one slice are the fastest.
     let (low, size) = (Vec3::from(bounds.min), Vec3::from(bounds.size()));

@@ -2,7 +2,7 @@
 //! that compares them.
 //!
 //! A structure finds what a ray hits among triangles, or among primitives of your own. There are
-//! five, behind one interface, from a bounding ball to a tree of eight children whose kernels trace
+//! eleven, behind one interface, from a bounding ball to a tree of eight children whose kernels trace
 //! packets of rays with AVX-512, AVX2 or portable code. Whatever the structure, the number of
 //! threads or the instruction set, a ray has the same hit, to the last bit.
 //!
@@ -10,11 +10,11 @@
 //! use srt::accel::{BuildConfig, Bvh8, ClosestHit, Indexed};
 //! use srt::glam::Vec3;
 //! use srt::math::{Hit, Ray};
-//! use srt::shapes::TriangleSet;
+//! use srt::shapes::TriangleMesh;
 //!
 //! let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
-//! let triangles = TriangleSet::new(&positions, &[[0, 1, 2]]);
-//! let bvh: Indexed<_, Bvh8> = Indexed::build(triangles, &BuildConfig::default());
+//! let mesh = TriangleMesh::new(&positions, &[[0, 1, 2]]);
+//! let bvh: Indexed<_, Bvh8> = Indexed::build(mesh, &BuildConfig::default());
 //!
 //! let rays = [0.2, 0.7].map(|x| Ray::new(Vec3::new(x, 0.5, 3.0), Vec3::NEG_Z));
 //! let mut hits = [Hit::MISS; 2];

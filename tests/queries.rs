@@ -11,10 +11,10 @@ use srt::accel::{
 use srt::conformance::adversarial_rays::{bundles_around, rays_at};
 use srt::conformance::nasty_meshes::{self, Mesh};
 use srt::math::{Hit, Ray};
-use srt::shapes::TriangleSet;
+use srt::shapes::{TriangleMesh, TriangleSet};
 
 fn indexed<A: Accel>(mesh: &Mesh) -> Indexed<TriangleSet, A> {
-    Indexed::build(TriangleSet::new(&mesh.positions, &mesh.triangles), &BuildConfig::default())
+    Indexed::build(TriangleMesh::new(&mesh.positions, &mesh.triangles), &BuildConfig::default())
 }
 
 fn answers<A: Accel, Q: Query>(mesh: &Mesh, query: Q, rays: &[Ray]) -> Vec<Q::Answer> {

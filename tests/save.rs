@@ -12,13 +12,13 @@ use srt::accel::{
 use srt::conformance::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
 use srt::conformance::nasty_meshes::{self, Mesh};
 use srt::math::{Hit, Ray};
-use srt::shapes::TriangleSet;
+use srt::shapes::{TriangleMesh, TriangleSet};
 
 type Triangles<A> = Indexed<TriangleSet, A>;
 
 fn built<A: Portable>(mesh: &Mesh, quality: Quality) -> Triangles<A> {
     let config = BuildConfig { quality, ..BuildConfig::default() };
-    Indexed::build(TriangleSet::new(&mesh.positions, &mesh.triangles), &config)
+    Indexed::build(TriangleMesh::new(&mesh.positions, &mesh.triangles), &config)
 }
 
 fn saved<A: Portable>(index: &Triangles<A>) -> Vec<u8> {

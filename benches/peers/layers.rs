@@ -5,7 +5,7 @@ use srt::accel::{BuildConfig, Bvh8, Indexed, Tracer};
 use srt::analysis::statistics::median;
 use srt::compare::measure::RaySet;
 use srt::scene::{Scene, TracedWorld, structure_named};
-use srt::shapes::TriangleSet;
+use srt::shapes::{TriangleMesh, TriangleSet};
 
 use crate::rays::seconds;
 
@@ -20,7 +20,7 @@ impl Layers {
         let structure = structure_named("bvh8").ok_or("there is no `bvh8`")?;
         let config = BuildConfig::default();
         let mesh = &scene.meshes()[0];
-        let triangles = TriangleSet::new(&mesh.positions, &mesh.triangles);
+        let triangles = TriangleMesh::new(&mesh.positions, &mesh.triangles);
         Ok(Self {
             world: structure.build(scene, &config),
             triangles: Indexed::build(triangles, &config),

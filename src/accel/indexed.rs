@@ -6,8 +6,9 @@ use crate::counters::{Counters, Counts, NoCounters};
 use crate::math::{Aabb, Hit, Ray};
 
 use super::{
-    Accel, Answers, AnyHit, Build, BuildConfig, BuildStages, ClosestHit, Moved, Packs, Primitives,
-    Query, Regions, Scratch, StructureShape, Tracer, Tree, Update, search_one,
+    Accel, Answers, AnyHit, Build, BuildConfig, BuildStages, ClosestHit, IntoPrimitives, Moved,
+    Order, Packs, Primitives, Query, Regions, Scratch, StructureShape, Tracer, Tree, Update,
+    search_one,
 };
 
 /// What debug builds say of rays whose hits are not defined.
@@ -21,11 +22,11 @@ const OUT_OF_RANGE: &str = "a ray has an infinite component: see `Ray::check`";
 /// use srt::accel::{AnyHit, BuildConfig, Bvh, ClosestHit, Indexed};
 /// use srt::glam::Vec3;
 /// use srt::math::{Hit, Ray};
-/// use srt::shapes::TriangleSet;
+/// use srt::shapes::TriangleMesh;
 ///
 /// // A square of two triangles.
 /// let positions = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
-/// let square = TriangleSet::new(&positions, &[[0, 1, 2], [0, 2, 3]]);
+/// let square = TriangleMesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]);
 /// let bvh: Indexed<_, Bvh> = Indexed::build(square, &BuildConfig::default());
 ///
 /// let ray = Ray::new(Vec3::new(0.25, 0.75, 2.0), Vec3::NEG_Z);
@@ -49,17 +50,17 @@ pub struct Indexed<P, A> {
 }
 
 impl<P: Primitives, A: Accel> Indexed<P, A> {
-    /// Builds a structure and puts the primitives into its order.
+    /// Builds a structure over primitives, or what is to become them, and puts them into its order.
     ///
     /// # Panics
     /// If the structure's order ([`Built::order`](super::Built::order)) does not give each primitive
     /// its slots.
     #[must_use]
-    pub fn build(mut primitives: P, config: &BuildConfig) -> Self {
+    pub fn build(source: impl IntoPrimitives<Primitives = P>, config: &BuildConfig) -> Self {
         let start = Instant::now();
         let mut stages = BuildStages::default();
         let grain = <P::Packs as Packs>::GRAIN;
-        let built = A::build(&primitives, &mut Build { config, grain, stages: &mut stages });
+        let built = A::build(&source, &mut Build { config, grain, stages: &mut stages });
         if stages.iter().next().is_none() {
             stages.add("structure", start.elapsed());
         }
@@ -67,10 +68,11 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         if let Some(order) = &built.order {
             // The check is no part of what a build costs.
             let check = Instant::now();
-            order.assert_whole(primitives.count(), grain);
+            order.assert_whole(source.count(), grain);
             check_time = check.elapsed();
-            stages.time("order", || primitives.reorder(order.slots()));
         }
+        let order = built.order.as_ref().map(Order::slots);
+        let primitives = stages.time("order", || source.into_primitives(order));
         let build_time = start.elapsed() - check_time;
         let config = config.clone();
         Self { primitives, accel: built.accel, build_time, check_time, stages, config }
@@ -83,11 +85,11 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     /// use srt::accel::{BuildConfig, Bvh8, Indexed, Moved, Update};
     /// use srt::glam::Vec3;
     /// use srt::math::Ray;
-    /// use srt::shapes::TriangleSet;
+    /// use srt::shapes::{TriangleMesh, TriangleSet};
     ///
     /// let (mut positions, triangles) = ([Vec3::ZERO, Vec3::X, Vec3::Y], [[0, 1, 2]]);
-    /// let set = TriangleSet::new(&positions, &triangles);
-    /// let mut bvh: Indexed<_, Bvh8> = Indexed::build(set, &BuildConfig::default());
+    /// let mesh = TriangleMesh::new(&positions, &triangles);
+    /// let mut bvh: Indexed<_, Bvh8> = Indexed::build(mesh, &BuildConfig::default());
     /// positions.iter_mut().for_each(|position| position.z += 3.0);
     /// let change = |set: &mut TriangleSet| set.move_to(&positions, &triangles);
     /// bvh.refit(Update::Refit, Moved::All, change, TriangleSet::settle)?;
@@ -162,7 +164,13 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         &self.stages
     }
 
-    /// What the structure looks like.
+    /// Bytes of the structure, without the primitives.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        self.accel.bytes()
+    }
+
+    /// What the structure looks like, for which a tree is walked.
     #[must_use]
     pub fn shape(&self) -> StructureShape {
         self.accel.shape()

@@ -54,11 +54,11 @@ mod volumes;
 
 use std::ops::{ControlFlow, Range};
 
-use glam::Vec3A;
+use glam::{Vec3A, Vec4};
 
 use crate::counters::{Counters, Counts};
-use crate::math::{Aabb, BoxRay, Lanes3, Padding, Ray};
-use crate::simd::{Row as _, Simd};
+use crate::math::{Aabb, BoxRay, Padding, Ray};
+use crate::simd::Simd;
 
 pub use ball::BoundingBall;
 pub use build::{Build, Built};
@@ -91,26 +91,20 @@ pub trait Bounded: Sync {
     fn count(&self) -> u32;
     /// The box of one of them. Never empty; all coordinates finite.
     fn bounds(&self, index: u32) -> Aabb;
-    /// The boxes of eight of them, from a multiple of eight on, by their low and their high corners, a box in
-    /// each lane. Lanes behind the last primitive may hold anything.
+    /// The boxes of eight of them, from a multiple of eight on, a row each: the low corner from the first number on,
+    /// the high one from the fifth. The fourth and the eighth number may be anything, and so may rows behind the
+    /// last primitive.
     ///
     /// The same boxes as [`bounds`](Self::bounds) gives, one by one. Primitives that stand in packs have all
     /// eight at once.
     #[inline(always)]
-    fn bounds_of_eight<S: Simd>(&self, first: u32) -> [Lanes3<S::F8>; 2] {
-        let mut corners = [[[0.0; PACK]; 3]; 2];
-        for (lane, index) in (first..self.count()).take(PACK).enumerate() {
+    fn bounds_of_eight<S: Simd>(&self, first: u32, rows: &mut [[f32; 8]; PACK]) {
+        for (row, index) in rows.iter_mut().zip(first..self.count()) {
             let Aabb { min, max } = self.bounds(index);
-            for axis in 0..3 {
-                corners[0][axis][lane] = min[axis];
-                corners[1][axis][lane] = max[axis];
-            }
+            let (low, high) = row.split_at_mut(4);
+            Vec4::from((min, 0.0)).write_to_slice(low);
+            Vec4::from((max, 0.0)).write_to_slice(high);
         }
-        let [[a, b, c], [d, e, f]] = &corners;
-        [
-            [S::F8::load(a), S::F8::load(b), S::F8::load(c)],
-            [S::F8::load(d), S::F8::load(e), S::F8::load(f)],
-        ]
     }
 
     /// A box around the part of one of them that lies within a box, for builders that split; empty
@@ -327,6 +321,29 @@ pub trait Primitives: Bounded + Send + Sync {
             let box_ray = BoxRay::new(ray, self.padding());
             self.test(query, slots.clone(), ray, &box_ray, answer, counters);
         }
+    }
+}
+
+/// What a structure is built over, and what becomes primitives in its order.
+///
+/// Primitives are that themselves. What is not stored as rays are tested against it, as the triangles of a mesh, need
+/// not be so before the order is known.
+pub trait IntoPrimitives: Bounded {
+    /// What rays are tested against.
+    type Primitives: Primitives;
+
+    /// The primitives in an order, as [`Primitives::reorder`] has it; none if they are to stay as they are.
+    fn into_primitives(self, order: Option<&[u32]>) -> Self::Primitives;
+}
+
+impl<P: Primitives> IntoPrimitives for P {
+    type Primitives = Self;
+
+    fn into_primitives(mut self, order: Option<&[u32]>) -> Self {
+        if let Some(order) = order {
+            self.reorder(order);
+        }
+        self
     }
 }
 

@@ -11,7 +11,7 @@ use crate::accel::{
 };
 use crate::assets::expect_memory;
 use crate::conformance::{self, FirstDifference, Limits, Summary};
-use crate::shapes::TriangleSet;
+use crate::shapes::TriangleMesh;
 
 use super::foreign::{ForeignTracer, ForeignWorld};
 use super::structures::structure_named;
@@ -61,7 +61,7 @@ struct Saved {
 /// What can be done with a structure that gives equal hits.
 #[derive(Clone, Copy, Debug)]
 struct EqualHits {
-    index: fn(TriangleSet, &BuildConfig) -> Box<dyn Tracer>,
+    index: fn(TriangleMesh<'_>, &BuildConfig) -> Box<dyn Tracer>,
     check: fn(&BuildOptions, &Limits<'_>) -> Result<Summary, FirstDifference>,
 }
 
@@ -91,7 +91,7 @@ impl Structure {
             build_bytes: [PACKED_TRIANGLE + T::BUILD_BYTES, LISTED_OBJECT + O::BUILD_BYTES],
             updates: [O::UPDATES, T::UPDATES],
             equal: Some(EqualHits {
-                index: |triangles, config| Box::new(Indexed::<_, T>::build(triangles, config)),
+                index: |mesh, config| Box::new(Indexed::<_, T>::build(mesh, config)),
                 check: check::<O, T>,
             }),
             ..Self::named(name, summary, |scene, config| {
@@ -288,8 +288,8 @@ impl Structure {
     /// Builds it over the triangles of one mesh, without a scene; hits name object 0. `None` for a
     /// peer.
     #[must_use]
-    pub fn index(&self, triangles: TriangleSet, config: &BuildConfig) -> Option<Box<dyn Tracer>> {
-        self.equal.map(|equal| (equal.index)(triangles, &self.config(config)))
+    pub fn index(&self, mesh: TriangleMesh<'_>, config: &BuildConfig) -> Option<Box<dyn Tracer>> {
+        self.equal.map(|equal| (equal.index)(mesh, &self.config(config)))
     }
 
     /// Checks that it gives equal hits, as it is built with its options: see [`conformance`]. `None`

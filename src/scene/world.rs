@@ -14,7 +14,9 @@ use crate::assets::MeshData;
 use crate::counters::Counts;
 use crate::description::Shape;
 use crate::math::{Aabb, NONE, Ray};
-use crate::shapes::{EndPointOverlap, OVERLAP_SAMPLES, TriangleSet, end_point_overlap};
+use crate::shapes::{
+    EndPointOverlap, OVERLAP_SAMPLES, TriangleMesh, TriangleSet, end_point_overlap,
+};
 
 use super::{Object, ObjectList, Scene, SceneChange, WorldRegions};
 
@@ -82,8 +84,8 @@ impl<O: Accel, T: Accel> World<O, T> {
             .meshes()
             .iter()
             .map(|mesh| {
-                let triangles =
-                    stages.time("triangles", || TriangleSet::new(&mesh.positions, &mesh.triangles));
+                let triangles = stages
+                    .time("triangles", || TriangleMesh::new(&mesh.positions, &mesh.triangles));
                 let indexed = Indexed::build(triangles, config);
                 stages.merge(indexed.build_stages());
                 Arc::new(indexed)

@@ -28,6 +28,7 @@ mod single_many;
 mod single_shape;
 mod surface_point;
 mod triangle;
+mod triangle_mesh;
 mod triangle_set;
 
 pub use ball::Ball;
@@ -38,6 +39,7 @@ pub use mesh_error::MeshError;
 pub use sheared_ray::{TriangleRay, TriangleRays};
 pub use surface_point::SurfacePoint;
 pub use triangle::Triangle;
+pub use triangle_mesh::TriangleMesh;
 pub use triangle_set::TriangleSet;
 
 use single_shape::SingleShape;

@@ -1,6 +1,6 @@
 //! The triangles of a mesh, eight to a pack, as structures offer them.
 
-mod extent;
+mod bounds;
 mod pack;
 mod save;
 
@@ -10,15 +10,18 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use glam::{DVec3, Vec3, Vec3A, Vec4};
 use rayon::prelude::*;
 
-use crate::accel::{Bounded, PACK, PackHits, Packs, Primitives, Query, Search};
+use crate::accel::{
+    Bounded, IntoPrimitives as _, PACK, PackHits, Packs, Primitives, Query, Search,
+};
 use crate::counters::Counters;
 use crate::math::slab::not_before;
 use crate::math::{Aabb, BoxRay, Hit, Lanes, Lanes3, Mask as _, NONE, Padding, Ray, ones, within};
 use crate::simd::{Cache, Row, Simd, prefetch};
 
-use self::pack::{PRIM, Pack, load3, pack, packs_of};
+use self::pack::{PRIM, Pack, load3, pack};
 use super::triangle::{flat_hit, scaled_hit};
-use super::{MeshError, Triangle, TriangleRay, TriangleRays};
+use super::triangle_mesh::extent::mean_and_bounds;
+use super::{MeshError, Triangle, TriangleMesh, TriangleRay, TriangleRays};
 
 /// Lanes that a ray alone is tested with.
 const LANES: usize = 4;
@@ -50,7 +53,8 @@ struct Candidates {
 }
 
 impl TriangleSet {
-    /// The triangles of a mesh. Vertices that no triangle names may be anything.
+    /// The triangles of a mesh in its order. A structure that is built over a [`TriangleMesh`] puts them into packs
+    /// only once.
     ///
     /// # Panics
     /// With the message of the error, where [`try_new`](Self::try_new) gives one.
@@ -59,41 +63,26 @@ impl TriangleSet {
         Self::try_new(positions, triangles).unwrap_or_else(|error| panic!("{error}"))
     }
 
-    /// The triangles of a mesh, if they can be traced. A single NaN in a box would take other
-    /// triangles out of a tree.
+    /// The triangles of a mesh in its order, if they can be traced.
     ///
     /// # Errors
-    /// If an index is out of range, a corner is not finite, or there are more than 2³² − 1 triangles;
-    /// if they reach too far, or all together are too small, to be hit in single precision:
-    /// coordinates may be up to 10¹², and the longest side of the box around them from 10⁻¹⁰
-    /// ([`SizeRange::TRIANGLES`](crate::math::SizeRange::TRIANGLES)).
+    /// As of [`TriangleMesh::try_new`].
     pub fn try_new(positions: &[Vec3], triangles: &[[u32; 3]]) -> Result<Self, MeshError> {
-        let too_many = |_| MeshError::TooMany { triangles: triangles.len() };
-        let count = u32::try_from(triangles.len()).map_err(too_many)?;
-        // What is wrong is only noted here, where each triangle is at hand; a second look finds
-        // which is the first.
-        let sound = AtomicBool::new(true);
-        let used = extent::Used::none(positions.len());
-        let pack = |index: usize| {
-            let first = index * PACK;
-            let triangles = &triangles[first..triangles.len().min(first + PACK)];
-            let pack = Pack::of_mesh(positions, triangles, first as u32, &used);
-            pack.unwrap_or_else(|| {
-                sound.store(false, Ordering::Relaxed);
-                Pack::EMPTY
-            })
-        };
-        let packs = packs_of(triangles.len().div_ceil(PACK), pack);
-        if !sound.into_inner()
-            && let Some(error) = MeshError::of_first(positions, triangles)
-        {
-            return Err(error);
+        Ok(TriangleMesh::try_new(positions, triangles)?.into_primitives(None))
+    }
+
+    /// The triangles of a mesh, of which `triangle` tells which is in a slot and its index in the mesh.
+    pub(super) fn of_mesh(
+        mesh: &TriangleMesh<'_>,
+        slots: usize,
+        triangle: impl Fn(usize) -> Option<(Triangle, u32)> + Sync + Send,
+    ) -> Self {
+        Self {
+            packs: pack(slots, triangle),
+            count: mesh.count(),
+            mean_vertex: mesh.mean_point(),
+            padding: mesh.padding(),
         }
-        let (mean_vertex, bounds) = used.mean_and_bounds(positions);
-        if let Some(error) = MeshError::of_bounds(&bounds) {
-            return Err(error);
-        }
-        Ok(Self { packs, count, mean_vertex, padding: Padding::of_bounds(&bounds) })
     }
 
     /// With the padding of the box around it; an error if that is out of the range of triangles.
@@ -136,8 +125,8 @@ impl TriangleSet {
                 before: self.count as usize,
             }));
         }
-        self.mean_vertex =
-            extent::Used::by(triangles, positions.len()).mean_and_bounds(positions).0;
+        let extent = mean_and_bounds(positions, triangles);
+        self.mean_vertex = extent.expect("all corners are there and finite").0;
         Ok(())
     }
 
@@ -206,8 +195,11 @@ impl Bounded for TriangleSet {
     }
 
     #[inline(always)]
-    fn bounds_of_eight<S: Simd>(&self, first: u32) -> [Lanes3<S::F8>; 2] {
-        self.boxes::<S>(first as usize / PACK)
+    fn bounds_of_eight<S: Simd>(&self, first: u32, rows: &mut [[f32; 8]; PACK]) {
+        let [[a, b, c], [d, e, f]] = self.boxes::<S>(first as usize / PACK);
+        for (row, corners) in rows.iter_mut().zip(S::transpose_eight([a, b, c, a, d, e, f, d])) {
+            corners.store(row);
+        }
     }
 
     fn clipped_bounds(&self, index: u32, to: &Aabb) -> Aabb {
@@ -219,7 +211,7 @@ impl Bounded for TriangleSet {
     }
 
     fn total_bounds(&self) -> Aabb {
-        extent::bounds_of(self)
+        bounds::bounds_of(self)
     }
 }
 

@@ -12,6 +12,7 @@ mod pair;
 mod portable;
 mod prefetch;
 mod row;
+mod table;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
@@ -20,3 +21,4 @@ pub use isa::{Isa, IsaError, Kernel, dispatch};
 pub use prefetch::Cache;
 pub(crate) use prefetch::prefetch;
 pub use row::{LANES, LARGEST_PACKET, PacketKernel, Row, Simd, splat3};
+pub(crate) use table::{table, table_of_parts};

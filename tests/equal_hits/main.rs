@@ -22,7 +22,7 @@ use srt::conformance::axis_grids::grids_over;
 use srt::conformance::nasty_meshes::{self, Mesh};
 use srt::math::{Hit, Random, Ray};
 use srt::scene::{STRUCTURES, Structure};
-use srt::shapes::TriangleSet;
+use srt::shapes::{TriangleMesh, TriangleSet};
 
 /// How many of so many rays are traced: all on the best instruction set that the machine has, and a third where
 /// `SRT_ISA` forces one, since the same tests run on all of them.
@@ -56,7 +56,7 @@ fn assert_equal(what: &str, tracer: &dyn Tracer, rays: &[Ray], expected: &(Vec<H
 
 fn indexed<A: Accel>(mesh: &Mesh, quality: Quality) -> Indexed<TriangleSet, A> {
     let config = BuildConfig { quality, ..BuildConfig::default() };
-    Indexed::build(TriangleSet::new(&mesh.positions, &mesh.triangles), &config)
+    Indexed::build(TriangleMesh::new(&mesh.positions, &mesh.triangles), &config)
 }
 
 /// All structures of the table but the first, which is `none`, over a mesh, by name.
@@ -72,8 +72,8 @@ fn structures(mesh: &Mesh, qualities: &[Quality]) -> Vec<(String, Box<dyn Tracer
 /// A structure of the table over a mesh.
 fn over(structure: &Structure, mesh: &Mesh, quality: Quality) -> Box<dyn Tracer> {
     let config = BuildConfig { quality, ..BuildConfig::default() };
-    let triangles = TriangleSet::new(&mesh.positions, &mesh.triangles);
-    structure.index(triangles, &config).expect("the table has no peers")
+    let mesh = TriangleMesh::new(&mesh.positions, &mesh.triangles);
+    structure.index(mesh, &config).expect("the table has no peers")
 }
 
 /// Compares all structures with `none` on one mesh; returns how many rays were compared.

@@ -2,9 +2,8 @@
 
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::node::Bvh2Node;
-use rayon::prelude::*;
 
-use crate::simd::ask_for_huge_pages;
+use crate::simd::table_of_parts;
 
 /// A subtree.
 pub(super) enum Branch {
@@ -15,7 +14,7 @@ pub(super) enum Branch {
 }
 
 /// Nodes without their root, and by how much their places move.
-type Move = (Vec<Bvh2Node>, u32);
+type Move<'a> = (&'a [Bvh2Node], u32);
 
 impl Branch {
     /// The box of its root.
@@ -40,64 +39,52 @@ impl Branch {
 
     /// All nodes as one list: the forks, then what was grown below each of them.
     pub(super) fn into_nodes(self) -> Vec<Bvh2Node> {
-        let (forks, grown) = self.sizes();
-        // As many roots of what was grown as there are forks, and one.
-        let top = 2 * forks + 1;
-        let mut nodes = Vec::with_capacity(top + grown);
-        if forks == 0
-            && let Self::Grown(nodes) = self
-        {
+        if let Self::Grown(nodes) = self {
             return nodes;
         }
-        nodes.push(Bvh2Node::default());
-        let mut moves = Vec::new();
-        let mut next = top;
-        self.lay(0, &mut nodes, &mut next, &mut moves);
-        ask_for_huge_pages(nodes.spare_capacity_mut());
-        nodes.resize(top + grown, Bvh2Node::default());
-        let mut rest = &mut nodes[top..];
-        let mut jobs = Vec::with_capacity(moves.len());
-        for (from, by) in moves {
-            let to = rest.split_off_mut(..from.len() - 1).expect("all nodes were counted");
-            jobs.push((to, from, by));
-        }
-        jobs.into_par_iter().for_each(|(to, from, by)| {
-            for (to, from) in to.iter_mut().zip(&from[1..]) {
-                *to = moved(*from, by);
-            }
-        });
-        nodes
+        let (mut top, mut grown) = (vec![Bvh2Node::default()], Vec::new());
+        // As many roots of what was grown as there are forks, and one.
+        let mut next = 2 * self.forks() + 1;
+        self.lay(0, &mut top, &mut next, &mut grown);
+        let parts: Vec<Move<'_>> = std::iter::once((&*top, 0)).chain(grown).collect();
+        table_of_parts(
+            &parts,
+            |(nodes, _)| nodes.len(),
+            |(nodes, by), place| moved(nodes[place], *by),
+        )
     }
 
-    /// How many forks there are, and how many grown nodes that are no roots.
-    fn sizes(&self) -> (usize, usize) {
+    /// How many forks there are.
+    fn forks(&self) -> usize {
         match self {
-            Self::Fork(_, below) => {
-                let [left, right] = &**below;
-                let (left, right) = (left.sizes(), right.sizes());
-                (left.0 + right.0 + 1, left.1 + right.1)
-            }
-            Self::Grown(nodes) => (0, nodes.len() - 1),
+            Self::Fork(_, below) => below.iter().map(Self::forks).sum::<usize>() + 1,
+            Self::Grown(_) => 0,
         }
     }
 
     /// Writes the root to its place and the forks below it behind what is there.
-    fn lay(self, place: usize, top: &mut Vec<Bvh2Node>, next: &mut usize, moves: &mut Vec<Move>) {
+    fn lay<'a>(
+        &'a self,
+        place: usize,
+        top: &mut Vec<Bvh2Node>,
+        next: &mut usize,
+        grown: &mut Vec<Move<'a>>,
+    ) {
         match self {
             Self::Fork(bounds, below) => {
                 let first = top.len();
-                top[place] = Bvh2Node::new(bounds, 0, first as u32);
+                top[place] = Bvh2Node::new(*bounds, 0, first as u32);
                 top.extend([Bvh2Node::default(); 2]);
-                let [left, right] = *below;
-                left.lay(first, top, next, moves);
-                right.lay(first + 1, top, next, moves);
+                let [left, right] = &**below;
+                left.lay(first, top, next, grown);
+                right.lay(first + 1, top, next, grown);
             }
             Self::Grown(nodes) => {
                 // The first that is no root comes to the place `next`.
                 let by = *next as u32 - 1;
                 top[place] = moved(nodes[0], by);
                 *next += nodes.len() - 1;
-                moves.push((nodes, by));
+                grown.push((&nodes[1..], by));
             }
         }
     }

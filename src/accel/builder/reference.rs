@@ -1,13 +1,12 @@
 //! What a tree is built from: boxes that carry the index of their primitive.
 
 use glam::{Vec3A, Vec4};
-use rayon::prelude::*;
 
 use super::super::{Bounded, PACK};
 #[cfg(test)]
 use crate::math::Aabb;
 use crate::math::Lanes as _;
-use crate::simd::{Kernel, Row as _, Simd, ask_for_huge_pages, dispatch};
+use crate::simd::{Kernel, Row as _, Simd, dispatch, table};
 
 /// A box as a row of eight: the low corner with its signs changed, and the high corner. So the box
 /// around two boxes is one maximum. The fourth lane of either corner holds something else.
@@ -87,12 +86,10 @@ impl Reference {
     /// Those of all primitives, by their indices.
     pub(super) fn all(primitives: &impl Bounded) -> Vec<Self> {
         let count = primitives.count() as usize;
-        let mut eights = Vec::with_capacity(count.div_ceil(PACK));
-        ask_for_huge_pages(eights.spare_capacity_mut());
-        (0..count.div_ceil(PACK))
-            .into_par_iter()
-            .map(|eight| dispatch(Eight { primitives, first: (eight * PACK) as u32 }))
-            .collect_into_vec(&mut eights);
+        let blank = [Reference(Corners::EMPTY); PACK];
+        let eights = table(count.div_ceil(PACK), blank, |eight, references| {
+            dispatch(Eight { primitives, first: (eight * PACK) as u32, references });
+        });
         let mut references = eights.into_flattened();
         references.truncate(count);
         references
@@ -128,26 +125,22 @@ impl Reference {
 struct Eight<'a, P> {
     primitives: &'a P,
     first: u32,
+    references: &'a mut [Reference; PACK],
 }
 
 impl<P: Bounded> Kernel for Eight<'_, P> {
-    type Output = [Reference; PACK];
+    type Output = ();
 
     #[inline(always)]
-    fn run<S: Simd>(self) -> Self::Output {
-        let [low, high] = self.primitives.bounds_of_eight::<S>(self.first);
-        let minus = S::F8::splat(-1.0);
-        let lower = S::F8::splat((self.first & 0xffff) as f32);
-        let lower = lower + S::F8::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
-        let upper = S::F8::splat((self.first >> 16) as f32);
-        let [x, y, z] = low;
-        let (x, y, z) = (x.flipped_by(minus), y.flipped_by(minus), z.flipped_by(minus));
-        let records = S::transpose_eight([x, y, z, lower, high[0], high[1], high[2], upper]);
-        let mut references = [Reference(Corners::EMPTY); PACK];
-        for (reference, record) in references.iter_mut().zip(records) {
-            record.store(&mut reference.0.0);
+    fn run<S: Simd>(self) {
+        let mut rows = [[0.0; 8]; PACK];
+        self.primitives.bounds_of_eight::<S>(self.first, &mut rows);
+        let signs = S::F8::load(&[-1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0]);
+        for (index, (row, reference)) in (self.first..).zip(rows.iter().zip(self.references)) {
+            let corners = &mut reference.0.0;
+            S::F8::load(row).flipped_by(signs).store(corners);
+            (corners[3], corners[7]) = ((index & 0xffff) as f32, (index >> 16) as f32);
         }
-        references
     }
 }
 

@@ -10,7 +10,7 @@ use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
 
 use crate::math::{Aabb, NONE};
-use crate::simd::{Kernel, Simd, ask_for_huge_pages, dispatch};
+use crate::simd::{Kernel, Simd, dispatch, table_of_parts};
 
 use super::node::{Child, Node, WIDTH};
 use super::plan::{Leaves, Plan, Roots, pair};
@@ -39,11 +39,10 @@ struct Open {
 /// Lays out a tree whose leaves hold no more primitives than a leaf may.
 pub(super) fn collapse(tree: &Bvh2, plan: &Plan, leaves: Leaves) -> Wide {
     let layout = Layout { tree, plan, leaves };
-    let (mut wide, open) = layout.top();
+    let (top, open) = layout.top();
     let subtree = |open: &Open| dispatch(LayOut { layout: &layout, binary: open.binary });
     let subtrees: Vec<_> = open.par_iter().map(subtree).collect();
-    wide.append(&open, &subtrees, leaves.block);
-    wide
+    top.with(&open, &subtrees, leaves.block)
 }
 
 /// What a layout is made from.
@@ -179,68 +178,56 @@ impl Kernel for LayOut<'_> {
 /// Sorts eight numbers by nineteen comparisons, the same whatever the numbers are: without a branch.
 #[inline(always)]
 fn sort_eight(list: &mut [u32; 8]) {
-    const PAIRS: [[usize; 2]; 19] = [
-        [0, 2],
-        [1, 3],
-        [4, 6],
-        [5, 7],
-        [0, 4],
-        [1, 5],
-        [2, 6],
-        [3, 7],
-        [0, 1],
-        [2, 3],
-        [4, 5],
-        [6, 7],
-        [2, 4],
-        [3, 5],
-        [1, 4],
-        [3, 6],
-        [1, 2],
-        [3, 4],
-        [5, 6],
-    ];
-    for [a, b] in PAIRS {
+    // Places that are written out: of a loop over them the compiler makes one.
+    let mut sort = |a: usize, b: usize| {
         (list[a], list[b]) = (list[a].min(list[b]), list[a].max(list[b]));
-    }
+    };
+    sort(0, 2);
+    sort(1, 3);
+    sort(4, 6);
+    sort(5, 7);
+    sort(0, 4);
+    sort(1, 5);
+    sort(2, 6);
+    sort(3, 7);
+    sort(0, 1);
+    sort(2, 3);
+    sort(4, 5);
+    sort(6, 7);
+    sort(2, 4);
+    sort(3, 5);
+    sort(1, 4);
+    sort(3, 6);
+    sort(1, 2);
+    sort(3, 4);
+    sort(5, 6);
 }
 
 impl Wide {
-    /// Puts subtrees behind each other, and their roots into their places.
-    fn append(&mut self, open: &[Open], subtrees: &[Subtree], block: usize) {
-        // The first node and the first slot of each subtree.
-        let mut starts = Vec::with_capacity(subtrees.len());
-        let (mut node, mut slot) = (self.nodes.len(), self.order.len());
+    /// Puts subtrees behind it, and their roots into their places.
+    fn with(mut self, open: &[Open], subtrees: &[Subtree], block: usize) -> Self {
+        // What is behind each other, and by how many nodes and blocks it moves.
+        let mut moved = Vec::with_capacity(subtrees.len());
+        let (mut nodes, mut blocks) = (self.nodes.len(), self.order.len() / block);
         for (&Open { place, .. }, Subtree { root, below }) in open.iter().zip(subtrees) {
-            self.nodes[place] = root.moved(node, slot / block);
-            starts.push((node, slot));
-            node += below.nodes.len();
-            slot += below.order.len();
+            self.nodes[place] = root.moved(nodes, blocks);
+            moved.push((below, nodes, blocks));
+            nodes += below.nodes.len();
+            blocks += below.order.len() / block;
         }
-        // Written on all threads from the first, because memory that is new takes its time.
-        let moved = |place: usize| {
-            let behind = starts.partition_point(|&(node, _)| node <= place);
-            match (self.nodes.get(place), behind.checked_sub(1)) {
-                (None, Some(which)) => {
-                    let (node, slot) = starts[which];
-                    subtrees[which].below.nodes[place - node].moved(node, slot / block)
-                }
-                (top, _) => top.copied().unwrap_or(Node::EMPTY),
-            }
-        };
-        let mut nodes = Vec::with_capacity(node);
-        ask_for_huge_pages(nodes.spare_capacity_mut());
-        (0..node).into_par_iter().with_min_len(64).map(moved).collect_into_vec(&mut nodes);
-        let mut order = vec![0; slot];
-        let (top, mut slots) = order.split_at_mut(self.order.len());
-        top.copy_from_slice(&self.order);
-        let mut copies = Vec::with_capacity(subtrees.len());
-        for Subtree { below, .. } in subtrees {
-            let to = slots.split_off_mut(..below.order.len()).expect("all slots were counted");
-            copies.push((to, &below.order));
+        let parts: Vec<_> = std::iter::once((&self, 0, 0)).chain(moved).collect();
+        Self {
+            nodes: table_of_parts(
+                &parts,
+                |(part, ..)| part.nodes.len(),
+                |(part, nodes, blocks), place| part.nodes[place].moved(*nodes, *blocks),
+            ),
+            order: table_of_parts(
+                &parts,
+                |(part, ..)| part.order.len(),
+                |(part, ..), place| part.order[place],
+            ),
         }
-        copies.into_par_iter().for_each(|(to, from)| to.copy_from_slice(from));
-        *self = Self { nodes, order };
     }
 }
 

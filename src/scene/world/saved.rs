@@ -8,12 +8,12 @@ use std::time::Instant;
 use glam::Vec3A;
 
 use crate::accel::{
-    Accel, Bounded as _, BuildStages, Decoder, Encoder, Indexed, LoadError, Portable,
-    PortablePrimitives as _,
+    Accel, Bounded as _, BuildStages, Decoder, Encoder, Indexed, IntoPrimitives as _, LoadError,
+    Portable, PortablePrimitives as _,
 };
 use crate::assets::MeshData;
 use crate::scene::{ObjectList, ReadError, Scene};
-use crate::shapes::TriangleSet;
+use crate::shapes::{TriangleMesh, TriangleSet};
 
 use super::{World, only_mesh};
 
@@ -70,14 +70,12 @@ fn read_mesh<T: Portable>(
 ) -> Result<Indexed<TriangleSet, T>, LoadError> {
     let count = input.u32()?;
     let mean_vertex = Vec3A::from(input.vec3()?);
-    if count as usize != mesh.triangles.len() || !mean_vertex.is_finite() {
+    let of_mesh = TriangleMesh::try_new(&mesh.positions, &mesh.triangles)
+        .map_err(|error| LoadError::invalid(error.to_string()))?;
+    if count != of_mesh.count() || mean_vertex != of_mesh.mean_point() {
         return Err(LoadError::invalid(format!("it is of {count} triangles, or of others")));
     }
-    let of_mesh = (&mesh.positions[..], &mesh.triangles[..]);
-    let arrange = |order: &[u32]| {
-        TriangleSet::in_order(of_mesh, order, mean_vertex)
-            .map_err(|error| LoadError::invalid(error.to_string()))
-    };
+    let arrange = |order: &[u32]| Ok(of_mesh.into_primitives(Some(order)));
     let read = Indexed::read_structure(count, arrange, input)?;
     input.checksum()?;
     Ok(read)

@@ -1,14 +1,11 @@
 //! Eight triangles side by side.
 
 use glam::Vec3;
-use rayon::prelude::*;
 
 use crate::accel::PACK;
 use crate::math::{Lanes3, NONE};
 use crate::shapes::Triangle;
-use crate::simd::{Row as _, Simd, ask_for_huge_pages};
-
-use super::extent::Used;
+use crate::simd::{Row as _, Simd, table};
 
 /// Eight triangles in structure-of-arrays form, five cache lines. Empty lanes are all NaN, which
 /// nothing hits.
@@ -32,37 +29,6 @@ impl Pack {
         rows[PRIM] = [NONE; PACK];
         Self { rows }
     };
-
-    /// Up to eight triangles of a mesh, by their indices from `first` on, whose vertices are noted as used; none
-    /// if a vertex is not there or not finite.
-    #[inline]
-    pub(super) fn of_mesh(
-        positions: &[Vec3],
-        triangles: &[[u32; 3]],
-        first: u32,
-        used: &Used,
-    ) -> Option<Self> {
-        let mut pack = Self::EMPTY;
-        for (lane, corners) in triangles.iter().enumerate().take(PACK) {
-            for (number, &corner) in corners.iter().enumerate() {
-                let position = positions.get(corner as usize)?.to_array();
-                used.note(corner);
-                for (axis, value) in position.into_iter().enumerate() {
-                    pack.rows[3 * number + axis][lane] = value.to_bits();
-                }
-            }
-            pack.rows[PRIM][lane] = first + lane as u32;
-        }
-        // All bits of an exponent are ones where a number is not finite. Absent triangles are NaN.
-        let infinity = f32::INFINITY.to_bits();
-        let mut finite = [true; PACK];
-        for row in &pack.rows[..PRIM] {
-            for (finite, bits) in finite.iter_mut().zip(row) {
-                *finite &= bits & infinity != infinity;
-            }
-        }
-        finite[..triangles.len().min(PACK)].iter().all(|&finite| finite).then_some(pack)
-    }
 
     pub(super) fn set(&mut self, lane: usize, triangle: &Triangle, prim: u32) {
         for (rows, corner) in self.rows.chunks_exact_mut(3).zip(triangle.corners) {
@@ -100,22 +66,11 @@ pub(super) fn pack(
     slots: usize,
     triangle: impl Fn(usize) -> Option<(Triangle, u32)> + Sync + Send,
 ) -> Vec<Pack> {
-    let filled = |index: usize| {
-        let mut pack = Pack::EMPTY;
+    table(slots.div_ceil(PACK), Pack::EMPTY, |index, pack| {
         for lane in 0..PACK {
             if let Some((triangle, prim)) = triangle(index * PACK + lane) {
                 pack.set(lane, &triangle, prim);
             }
         }
-        pack
-    };
-    packs_of(slots.div_ceil(PACK), filled)
-}
-
-/// So many packs, made on all threads.
-pub(super) fn packs_of(count: usize, pack: impl Fn(usize) -> Pack + Sync + Send) -> Vec<Pack> {
-    let mut packs = Vec::with_capacity(count);
-    ask_for_huge_pages(packs.spare_capacity_mut());
-    (0..count).into_par_iter().map(pack).collect_into_vec(&mut packs);
-    packs
+    })
 }

@@ -1,8 +1,6 @@
 //! Triangles in bytes: each by its corners.
 
 use std::io;
-#[cfg(feature = "program")]
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{Vec3, Vec3A};
 use rayon::prelude::*;
@@ -13,8 +11,6 @@ use crate::shapes::Triangle;
 
 use super::TriangleSet;
 use super::pack::pack;
-#[cfg(feature = "program")]
-use super::{MeshError, NONE, extent};
 
 impl PortablePrimitives for TriangleSet {
     const NAME: &'static str = "triangles";
@@ -52,46 +48,5 @@ impl PortablePrimitives for TriangleSet {
         let padding = Padding { largest: 0.0, factor: 1.0 };
         let set = Self { packs, count, mean_vertex, padding };
         set.padded().map_err(|error| LoadError::invalid(error.to_string()))
-    }
-}
-
-#[cfg(feature = "program")]
-impl TriangleSet {
-    /// The triangles of a mesh in the order of a structure: slot `i` holds triangle `order[i]`, or
-    /// nothing where that is [`NONE`]; each triangle has one slot. `mean_vertex` is the mean of the
-    /// vertices that they use.
-    ///
-    /// # Errors
-    /// As of [`try_new`](Self::try_new).
-    pub(crate) fn in_order(
-        (positions, triangles): (&[Vec3], &[[u32; 3]]),
-        order: &[u32],
-        mean_vertex: Vec3A,
-    ) -> Result<Self, MeshError> {
-        let too_many = |_| MeshError::TooMany { triangles: triangles.len() };
-        let count = u32::try_from(triangles.len()).map_err(too_many)?;
-        let sound = AtomicBool::new(true);
-        let triangle = |slot: usize| {
-            let &id = order.get(slot).filter(|&&id| id != NONE)?;
-            let corners = triangles.get(id as usize).and_then(|corners| {
-                let [a, b, c] = corners.map(|corner| positions.get(corner as usize).copied());
-                Some(Triangle::new([a?, b?, c?])).filter(Triangle::is_finite)
-            });
-            if corners.is_none() {
-                sound.store(false, Ordering::Relaxed);
-            }
-            Some((corners?, id))
-        };
-        let packs = pack(order.len(), triangle);
-        if !sound.into_inner() {
-            let wrong = MeshError::of_first(positions, triangles);
-            let (triangles, before) = (triangles.len(), order.len());
-            return Err(wrong.unwrap_or(MeshError::OtherTriangles { triangles, before }));
-        }
-        let padding = Padding { largest: 0.0, factor: 1.0 };
-        let mut set = Self { packs, count, mean_vertex, padding };
-        let bounds = extent::bounds_of_slots(&set);
-        set.settle(&bounds)?;
-        Ok(set)
     }
 }
