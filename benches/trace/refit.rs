@@ -72,7 +72,7 @@ fn measure<A: Accel + Clone>(
             let built = (0..times).map(|_| {
                 let own: Indexed<_, A> = Indexed::build(set.clone(), &config);
                 // Bringing the triangles into the order of the tree is no part of it.
-                let order = own.build_stages().iter().find(|(stage, _)| *stage == "order");
+                let order = own.build_stages().iter().find(|(stage, _)| *stage == "primitives");
                 own.build_time() - order.map_or(Duration::ZERO, |(_, time)| time)
             });
             pool.install(|| built.sum())

@@ -1,8 +1,7 @@
 //! A build: what it is given beside the primitives, and what it returns.
 
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
-
 use crate::math::Aabb;
+use crate::simd::table;
 
 use super::{Bounded, BuildConfig, BuildStages, Order};
 
@@ -32,16 +31,15 @@ pub struct Built<A> {
 
 /// The primitives' boxes: what builds go on with that are compiled once for all primitives.
 pub(super) fn boxes_of(primitives: &impl Bounded) -> Vec<Aabb> {
-    (0..primitives.count()).into_par_iter().map(|index| primitives.bounds(index)).collect()
+    table(primitives.count() as usize, Aabb::EMPTY, |index, bounds| {
+        *bounds = primitives.bounds(index as u32);
+    })
 }
 
 /// The primitives' boxes as obvhs's builders take them.
 pub(super) fn obvhs_boxes(primitives: &impl Bounded) -> Vec<obvhs::aabb::Aabb> {
-    (0..primitives.count())
-        .into_par_iter()
-        .map(|i| {
-            let Aabb { min, max } = primitives.bounds(i);
-            obvhs::aabb::Aabb { min, max }
-        })
-        .collect()
+    table(primitives.count() as usize, obvhs::aabb::Aabb::INVALID, |index, bounds| {
+        let Aabb { min, max } = primitives.bounds(index as u32);
+        *bounds = obvhs::aabb::Aabb { min, max };
+    })
 }

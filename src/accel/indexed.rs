@@ -72,7 +72,7 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
             check_time = check.elapsed();
         }
         let order = built.order.as_ref().map(Order::slots);
-        let primitives = stages.time("order", || source.into_primitives(order));
+        let primitives = stages.time("primitives", || source.into_primitives(order));
         let build_time = start.elapsed() - check_time;
         let config = config.clone();
         Self { primitives, accel: built.accel, build_time, check_time, stages, config }
@@ -145,8 +145,8 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         &self.primitives
     }
 
-    /// How long the build took, the reordering of the primitives included, and without the check of
-    /// their order.
+    /// How long the build took, with what it took to put the primitives into their order, and without the check of
+    /// that order.
     #[must_use]
     pub fn build_time(&self) -> Duration {
         self.build_time

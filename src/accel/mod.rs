@@ -328,6 +328,9 @@ pub trait Primitives: Bounded + Send + Sync {
 ///
 /// Primitives are that themselves. What is not stored as rays are tested against it, as the triangles of a mesh, need
 /// not be so before the order is known.
+///
+/// Equal hits rest on this: a structure leaves primitives out by the boxes from before, and hits count by those of
+/// the primitives, with their padding. Both must be the same, primitive by primitive.
 pub trait IntoPrimitives: Bounded {
     /// What rays are tested against.
     type Primitives: Primitives;

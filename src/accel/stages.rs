@@ -46,11 +46,11 @@ mod tests {
         assert_eq!(stages.time("boxes", || 3), 3);
         stages.add("tree", Duration::from_secs(1));
         let mut other = BuildStages::default();
-        other.add("order", Duration::from_secs(2));
+        other.add("primitives", Duration::from_secs(2));
         other.add("tree", Duration::from_secs(4));
         stages.merge(&other);
         let names: Vec<_> = stages.iter().map(|(name, _)| name).collect();
-        assert_eq!(names, ["boxes", "tree", "order"]);
+        assert_eq!(names, ["boxes", "tree", "primitives"]);
         assert_eq!(stages.iter().nth(1), Some(("tree", Duration::from_secs(5))));
     }
 }

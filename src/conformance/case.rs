@@ -10,7 +10,7 @@ use crate::accel::{
 };
 use crate::counters::{Counts, NoCounters};
 use crate::math::{Hit, Ray};
-use crate::shapes::TriangleSet;
+use crate::shapes::{TriangleMesh, TriangleSet};
 
 use super::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
 use super::axis_grids::grids_over;
@@ -28,13 +28,17 @@ const SECOND_END: usize = 16;
 
 /// Triangles, in packs or one by one.
 pub(super) trait Triangles: Primitives {
-    fn of(mesh: &Mesh) -> Self;
+    /// A structure over those of a mesh.
+    fn indexed<A: Accel>(mesh: &Mesh, config: &BuildConfig) -> Indexed<Self, A>
+    where
+        Self: Sized;
+
     fn set(&mut self) -> &mut TriangleSet;
 }
 
 impl Triangles for TriangleSet {
-    fn of(mesh: &Mesh) -> Self {
-        Self::new(&mesh.positions, &mesh.triangles)
+    fn indexed<A: Accel>(mesh: &Mesh, config: &BuildConfig) -> Indexed<Self, A> {
+        Indexed::build(TriangleMesh::new(&mesh.positions, &mesh.triangles), config)
     }
 
     fn set(&mut self) -> &mut TriangleSet {
@@ -43,8 +47,8 @@ impl Triangles for TriangleSet {
 }
 
 impl Triangles for OneByOne {
-    fn of(mesh: &Mesh) -> Self {
-        Self(TriangleSet::of(mesh))
+    fn indexed<A: Accel>(mesh: &Mesh, config: &BuildConfig) -> Indexed<Self, A> {
+        Indexed::build(Self(TriangleSet::new(&mesh.positions, &mesh.triangles)), config)
     }
 
     fn set(&mut self) -> &mut TriangleSet {
@@ -193,7 +197,7 @@ pub(super) fn indexed<P: Triangles, A: Accel>(
     options: &BuildOptions,
 ) -> Indexed<P, A> {
     let config = BuildConfig { quality, options: options.clone(), ..BuildConfig::default() };
-    Indexed::build(P::of(mesh), &config)
+    P::indexed(mesh, &config)
 }
 
 /// A structure that was built for the mesh with its vertices in each other's places, and has followed them to their own

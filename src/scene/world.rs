@@ -84,9 +84,9 @@ impl<O: Accel, T: Accel> World<O, T> {
             .meshes()
             .iter()
             .map(|mesh| {
-                let triangles = stages
-                    .time("triangles", || TriangleMesh::new(&mesh.positions, &mesh.triangles));
-                let indexed = Indexed::build(triangles, config);
+                let mesh =
+                    stages.time("mesh", || TriangleMesh::new(&mesh.positions, &mesh.triangles));
+                let indexed = Indexed::build(mesh, config);
                 stages.merge(indexed.build_stages());
                 Arc::new(indexed)
             })

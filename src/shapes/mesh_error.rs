@@ -1,10 +1,10 @@
-//! What can be wrong with the triangles that a set is to be made of.
+//! What can be wrong with the triangles of a mesh.
 
 use glam::Vec3;
 
 use crate::math::{Aabb, SizeRange};
 
-/// Why there is no [`TriangleSet`](super::TriangleSet): the first triangle that is wrong, and how.
+/// Why there is no [`TriangleMesh`](super::TriangleMesh): the first triangle that is wrong, and how.
 #[derive(Clone, Debug, thiserror::Error, PartialEq)]
 pub enum MeshError {
     /// An index beyond the vertices.
@@ -58,8 +58,13 @@ pub enum MeshError {
 
 impl MeshError {
     /// What is wrong with the first of some triangles that is.
-    pub(super) fn of_first(positions: &[Vec3], triangles: &[[u32; 3]]) -> Option<Self> {
-        triangles.iter().enumerate().find_map(|(i, corners)| Self::of(positions, i, corners))
+    ///
+    /// # Panics
+    /// If nothing is wrong with any.
+    pub(super) fn of_first(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
+        let mut each = triangles.iter().enumerate();
+        let first = each.find_map(|(i, corners)| Self::of(positions, i, corners));
+        first.expect("a corner is missing or not finite")
     }
 
     /// What is wrong with all of them, by the box around them: it is out of

@@ -98,6 +98,12 @@ pub struct Triangle {
 }
 
 impl Triangle {
+    /// One of a mesh, by the indices of its corners.
+    #[inline(always)]
+    pub(super) fn of_mesh(positions: &[Vec3], corners: &[u32; 3]) -> Self {
+        Self::new(corners.map(|corner| positions[corner as usize]))
+    }
+
     /// The triangle with these corners.
     #[must_use]
     pub fn new(corners: [Vec3; 3]) -> Self {

@@ -5,15 +5,16 @@ pub(super) mod extent;
 use glam::{Vec3, Vec3A};
 
 use crate::accel::{Bounded, IntoPrimitives, PACK};
-use crate::math::{Aabb, Padding};
+use crate::math::{Aabb, NONE, Padding};
 use crate::simd::{Cache, prefetch};
 
 use super::{MeshError, Triangle, TriangleSet};
 
-/// Slots whose triangle, and whose vertices, are read ahead: packs are in the order of a structure, and what comes next
+/// So many slots later, the corners of a triangle are asked for: the order is that of a structure, and what comes next
 /// stands anywhere in the mesh.
-const TRIANGLES_AHEAD: usize = 4 * PACK;
-const VERTICES_AHEAD: usize = 2 * PACK;
+const CORNERS_AHEAD: usize = 4 * PACK;
+/// So many slots later, their positions are.
+const POSITIONS_AHEAD: usize = 2 * PACK;
 
 /// The triangles of a mesh: positions, and triples of indices of these. A structure is built over them where they are,
 /// and they are put into packs once, in the order of the structure.
@@ -59,11 +60,8 @@ impl<'a> TriangleMesh<'a> {
             return Err(MeshError::TooMany { triangles: triangles.len() });
         }
         let extent = extent::mean_and_bounds(positions, triangles);
-        let (mean_vertex, bounds) = extent.ok_or_else(|| {
-            // Only that something is wrong is known so far.
-            let first = MeshError::of_first(positions, triangles);
-            first.expect("a vertex is missing or not finite")
-        })?;
+        let (mean_vertex, bounds) =
+            extent.ok_or_else(|| MeshError::of_first(positions, triangles))?;
         match MeshError::of_bounds(&bounds) {
             Some(error) => Err(error),
             None => Ok(Self { positions, triangles, mean_vertex, bounds }),
@@ -72,12 +70,7 @@ impl<'a> TriangleMesh<'a> {
 
     #[inline(always)]
     fn triangle(&self, index: u32) -> Triangle {
-        self.triangle_of(&self.triangles[index as usize])
-    }
-
-    #[inline(always)]
-    fn triangle_of(&self, corners: &[u32; 3]) -> Triangle {
-        Triangle::new(corners.map(|corner| self.positions[corner as usize]))
+        Triangle::of_mesh(self.positions, &self.triangles[index as usize])
     }
 
     /// How far boxes are padded.
@@ -85,21 +78,26 @@ impl<'a> TriangleMesh<'a> {
         Padding::of_bounds(&self.bounds)
     }
 
-    /// The triangle of a slot, and its index; what comes soon is asked for.
+    /// The triangle in a slot of an order, and its index.
     #[inline]
-    fn slot(&self, order: &[u32], slot: usize) -> Option<(Triangle, u32)> {
-        let triangle = |slot| {
-            let &index: &u32 = order.get(slot)?;
+    fn in_slot(&self, order: &[u32], slot: usize) -> Option<(Triangle, u32)> {
+        let &index = order.get(slot).filter(|&&index| index != NONE)?;
+        Some((self.triangle(index), index))
+    }
+
+    /// Asks the caches for what comes some slots later.
+    #[inline]
+    fn prefetch_behind(&self, order: &[u32], slot: usize) {
+        let corners_in = |slot: usize| {
+            let &index = order.get(slot)?;
             self.triangles.get(index as usize)
         };
-        if let Some(triangle) = triangle(slot + TRIANGLES_AHEAD) {
-            prefetch(triangle, Cache::First);
+        if let Some(corners) = corners_in(slot + CORNERS_AHEAD) {
+            prefetch(corners, Cache::First);
         }
-        for &corner in triangle(slot + VERTICES_AHEAD).into_iter().flatten() {
+        for &corner in corners_in(slot + POSITIONS_AHEAD).into_iter().flatten() {
             prefetch(&self.positions[corner as usize], Cache::First);
         }
-        // What is `NONE` names none of them.
-        Some((self.triangle_of(triangle(slot)?), order[slot]))
     }
 }
 
@@ -130,57 +128,87 @@ impl IntoPrimitives for TriangleMesh<'_> {
     type Primitives = TriangleSet;
 
     fn into_primitives(self, order: Option<&[u32]>) -> TriangleSet {
-        match order {
-            Some(order) => TriangleSet::of_mesh(&self, order.len(), |slot| self.slot(order, slot)),
-            None => TriangleSet::of_mesh(&self, self.triangles.len(), |slot| {
+        let Some(order) = order else {
+            let in_slot = |slot| {
                 let corners = self.triangles.get(slot)?;
-                Some((self.triangle_of(corners), slot as u32))
-            }),
-        }
+                Some((Triangle::of_mesh(self.positions, corners), slot as u32))
+            };
+            return TriangleSet::of_mesh(&self, self.triangles.len(), in_slot);
+        };
+        TriangleSet::of_mesh(&self, order.len(), |slot| {
+            self.prefetch_behind(order, slot);
+            self.in_slot(order, slot)
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::{BuildConfig, Bvh, Bvh8, Exhaustive, Indexed, Quality};
+    use crate::accel::{
+        Accel, BuildConfig, BuildOptions, Bvh, Bvh8, Exhaustive, Indexed, KdTree, Primitives,
+        Quality,
+    };
     use crate::math::Random;
+
+    type Arrays = (Vec<Vec3>, Vec<[u32; 3]>);
+
+    /// Triangles between any vertices, all over a cube around the origin.
+    fn cloud(triangles: usize) -> Arrays {
+        let mut random = Random::new(&[3]);
+        let mut coordinate = || 200.0 * random.next_f32() - 100.0;
+        let positions: Vec<_> =
+            (0..400).map(|_| Vec3::from_array(std::array::from_fn(|_| coordinate()))).collect();
+        let mut corner = || random.below(positions.len() as u32);
+        let triangles = (0..triangles).map(|_| std::array::from_fn(|_| corner())).collect();
+        (positions, triangles)
+    }
+
+    /// All that is kept of triangles.
+    fn kept(triangles: &TriangleSet) -> String {
+        format!("{triangles:?}")
+    }
+
+    #[test]
+    fn boxes_of_a_mesh_are_those_of_its_packs() {
+        let (positions, triangles) = cloud(203);
+        let mesh = TriangleMesh::new(&positions, &triangles);
+        let packs = TriangleSet::new(&positions, &triangles);
+        let part = Aabb { min: Vec3A::splat(-50.0), max: Vec3A::splat(20.0) };
+        for index in 0..mesh.count() {
+            assert_eq!(mesh.bounds(index), packs.bounds(index));
+            assert_eq!(mesh.clipped_bounds(index, &part), packs.clipped_bounds(index, &part));
+        }
+        assert_eq!(mesh.total_bounds(), packs.total_bounds());
+        assert_eq!(mesh.mean_point(), packs.mean_point());
+        assert_eq!(mesh.padding(), Primitives::padding(&packs));
+    }
+
+    fn same<A: Accel>(arrays: &Arrays, options: &BuildOptions) {
+        let (positions, triangles) = arrays;
+        for quality in [Quality::Fastest, Quality::Medium] {
+            let config =
+                BuildConfig { quality, options: options.clone(), ..BuildConfig::default() };
+            let of_mesh: Indexed<_, A> =
+                Indexed::build(TriangleMesh::new(positions, triangles), &config);
+            let of_packs: Indexed<_, A> =
+                Indexed::build(TriangleSet::new(positions, triangles), &config);
+            assert_eq!(kept(of_mesh.primitives()), kept(of_packs.primitives()));
+            assert_eq!(of_mesh.tree(), of_packs.tree());
+        }
+    }
 
     #[test]
     fn structures_over_a_mesh_are_those_over_its_packs() {
-        let mut random = Random::new(&[3]);
-        let mut below = |n: u32| (random.next_f32() * n as f32) as u32;
-        let positions: Vec<_> = (0..4000)
-            .map(|_| Vec3::from_array(std::array::from_fn(|_| below(1000) as f32 / 7.0)))
-            .collect();
-        let triangles: Vec<_> = (0..20_003).map(|_| std::array::from_fn(|_| below(4000))).collect();
-        let mesh = TriangleMesh::new(&positions, &triangles);
-        let packs = TriangleSet::new(&positions, &triangles);
-        let boxes =
-            |bounded: &dyn Fn(u32) -> Aabb| (0..mesh.count()).map(bounded).collect::<Vec<_>>();
-        assert_eq!(boxes(&|index| mesh.bounds(index)), boxes(&|index| packs.bounds(index)));
-        assert_eq!(
-            (mesh.total_bounds(), mesh.mean_point()),
-            (packs.total_bounds(), packs.mean_point())
-        );
-        for quality in [Quality::Fastest, Quality::Medium] {
-            let config = BuildConfig { quality, ..BuildConfig::default() };
-            let of_mesh: Indexed<TriangleSet, Bvh8> = Indexed::build(mesh, &config);
-            let of_packs: Indexed<TriangleSet, Bvh8> = Indexed::build(packs.clone(), &config);
-            assert_eq!(
-                format!("{:?}", of_mesh.primitives()),
-                format!("{:?}", of_packs.primitives())
-            );
-            assert_eq!(of_mesh.shape(), of_packs.shape());
-            let of_mesh: Indexed<TriangleSet, Bvh> = Indexed::build(mesh, &config);
-            let of_packs: Indexed<TriangleSet, Bvh> = Indexed::build(packs.clone(), &config);
-            assert_eq!(
-                format!("{:?}", of_mesh.primitives()),
-                format!("{:?}", of_packs.primitives())
-            );
+        let none = &BuildOptions::NONE;
+        let cutting = &BuildOptions::of::<Bvh8>("builder=sbvh").unwrap();
+        for arrays in [(vec![], vec![]), cloud(1), cloud(3000)] {
+            same::<Exhaustive>(&arrays, none);
+            same::<Bvh>(&arrays, none);
+            same::<Bvh8>(&arrays, none);
+            // Some triangles are in several leaves.
+            same::<Bvh8>(&arrays, cutting);
+            same::<KdTree>(&arrays, none);
         }
-        // Without an order they stand as in the mesh.
-        let none: Indexed<TriangleSet, Exhaustive> = Indexed::build(mesh, &BuildConfig::default());
-        assert_eq!(format!("{:?}", none.primitives()), format!("{packs:?}"));
     }
 }

@@ -5,7 +5,6 @@ mod pack;
 mod save;
 
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DVec3, Vec3, Vec3A, Vec4};
 use rayon::prelude::*;
@@ -71,7 +70,7 @@ impl TriangleSet {
         Ok(TriangleMesh::try_new(positions, triangles)?.into_primitives(None))
     }
 
-    /// The triangles of a mesh, of which `triangle` tells which is in a slot and its index in the mesh.
+    /// Those of a mesh: `triangle` of a slot is the triangle there, and its index in the mesh; none leaves it empty.
     pub(super) fn of_mesh(
         mesh: &TriangleMesh<'_>,
         slots: usize,
@@ -99,34 +98,24 @@ impl TriangleSet {
     /// [`settle`](Self::settle) is to follow.
     ///
     /// # Errors
-    /// As of [`try_new`](Self::try_new), without the range. Then the triangles are of no further use.
+    /// As of [`try_new`](Self::try_new), without the range, or that there are not as many triangles. Then nothing has
+    /// moved.
     pub fn move_to(&mut self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Result<(), MeshError> {
-        let sound = AtomicBool::new(triangles.len() == self.count as usize);
+        let extent = mean_and_bounds(positions, triangles);
+        let (mean_vertex, _) = extent.ok_or_else(|| MeshError::of_first(positions, triangles))?;
+        if triangles.len() != self.count as usize {
+            let before = self.count as usize;
+            return Err(MeshError::OtherTriangles { triangles: triangles.len(), before });
+        }
         self.packs.par_iter_mut().with_min_len(1 << 9).for_each(|pack| {
             for lane in 0..PACK {
                 let prim = pack.rows[PRIM][lane];
-                if prim == NONE {
-                    continue;
-                }
-                let corners = triangles.get(prim as usize).and_then(|corners| {
-                    let [a, b, c] = corners.map(|i| positions.get(i as usize).copied());
-                    Some(Triangle::new([a?, b?, c?])).filter(Triangle::is_finite)
-                });
-                match corners {
-                    Some(triangle) => pack.set(lane, &triangle, prim),
-                    None => sound.store(false, Ordering::Relaxed),
+                if let Some(corners) = triangles.get(prim as usize) {
+                    pack.set(lane, &Triangle::of_mesh(positions, corners), prim);
                 }
             }
         });
-        if !sound.into_inner() {
-            let wrong = MeshError::of_first(positions, triangles);
-            return Err(wrong.unwrap_or(MeshError::OtherTriangles {
-                triangles: triangles.len(),
-                before: self.count as usize,
-            }));
-        }
-        let extent = mean_and_bounds(positions, triangles);
-        self.mean_vertex = extent.expect("all corners are there and finite").0;
+        self.mean_vertex = mean_vertex;
         Ok(())
     }
 
@@ -197,8 +186,9 @@ impl Bounded for TriangleSet {
     #[inline(always)]
     fn bounds_of_eight<S: Simd>(&self, first: u32, rows: &mut [[f32; 8]; PACK]) {
         let [[a, b, c], [d, e, f]] = self.boxes::<S>(first as usize / PACK);
-        for (row, corners) in rows.iter_mut().zip(S::transpose_eight([a, b, c, a, d, e, f, d])) {
-            corners.store(row);
+        let corners = S::transpose_eight([a, b, c, a, d, e, f, d]);
+        for lane in 0..PACK {
+            corners[lane].store(&mut rows[lane]);
         }
     }
 
@@ -402,6 +392,35 @@ impl Half<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::simd::{Kernel, dispatch};
+
+    struct Eight<'a>(&'a TriangleSet, u32);
+
+    impl Kernel for Eight<'_> {
+        type Output = [[f32; 8]; PACK];
+
+        #[inline(always)]
+        fn run<S: Simd>(self) -> Self::Output {
+            let mut rows = [[0.0; 8]; PACK];
+            self.0.bounds_of_eight::<S>(self.1, &mut rows);
+            rows
+        }
+    }
+
+    #[test]
+    fn eight_boxes_are_those_one_by_one() {
+        let at = |i: u32| Vec3::new(i as f32, 7.0 - i as f32, (i % 5) as f32 - 2.0);
+        let positions: Vec<_> = (0..30).map(at).collect();
+        let triangles: Vec<_> = (0..27).map(|i| [i + 1, i, i + 2]).collect();
+        let set = TriangleSet::new(&positions, &triangles);
+        for first in (0..27).step_by(PACK) {
+            let rows = dispatch(Eight(&set, first));
+            for (index, [a, b, c, _, d, e, f, _]) in (first..27).zip(rows) {
+                let expected = Aabb { min: Vec3A::new(a, b, c), max: Vec3A::new(d, e, f) };
+                assert_eq!(set.bounds(index), expected);
+            }
+        }
+    }
 
     #[test]
     fn vertices_without_triangles_do_not_count() {

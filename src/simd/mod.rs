@@ -2,7 +2,8 @@
 //!
 //! Formulas are written once, over [`Lanes`](crate::math::Lanes). Kernels that need more (loads, stores, the packing of
 //! what a mask keeps) are written once, over [`Simd`], and run with the widest instruction set
-//! that the processor has: see [`dispatch`]. With `embree` and `tinybvh`, this is the only layer with `unsafe` code.
+//! that the processor has: see [`dispatch`]. Here, too, are prefetching, large pages, and tables that
+//! all threads write. With `embree` and `tinybvh`, this is the only layer with `unsafe` code.
 
 #![allow(unsafe_code, reason = "the only layer that may, block by block")]
 
@@ -21,4 +22,4 @@ pub use isa::{Isa, IsaError, Kernel, dispatch};
 pub use prefetch::Cache;
 pub(crate) use prefetch::prefetch;
 pub use row::{LANES, LARGEST_PACKET, PacketKernel, Row, Simd, splat3};
-pub(crate) use table::{table, table_of_parts};
+pub(crate) use table::{concatenated, table};

@@ -13,8 +13,8 @@ pub enum Cache {
     Second,
 }
 
-/// Loads all cache lines of a value ahead of their use. Does nothing where the processor has no such
-/// instruction.
+/// Loads the cache lines of a value ahead of their use: of one that is smaller than a line, that with its first byte.
+/// Does nothing where the processor has no such instruction.
 #[inline(always)]
 pub(crate) fn prefetch<T>(value: &T, into: Cache) {
     #[cfg(target_arch = "x86_64")]

@@ -18,30 +18,39 @@ pub(crate) fn table<T: Copy + Send + Sync>(
     ask_for_huge_pages(room);
     let places = room.par_iter_mut().enumerate();
     places.for_each(|(place, room)| fill(place, room.write(blank)));
-    // SAFETY: there is room for so many values, and each of them was written.
+    // SAFETY: there is room for so many values, and each of them was written. After a panic there are none, and what
+    // was written needs no drop.
     unsafe { table.set_len(count) };
     table
 }
 
-/// A table of parts behind each other, of so many values each, which are told by their part and their place there.
-pub(crate) fn table_of_parts<P: Sync, T: Copy + Send>(
-    parts: &[P],
-    length: impl Fn(&P) -> usize,
-    value: impl Fn(&P, usize) -> T + Send + Sync,
+/// The values of some parts, one part behind the other.
+///
+/// # Panics
+/// If a part has not as many values as it says.
+pub(crate) fn concatenated<T: Copy + Send>(
+    parts: Vec<impl ExactSizeIterator<Item = T> + Send>,
 ) -> Vec<T> {
-    let count = parts.iter().map(&length).sum();
+    let count = parts.iter().map(ExactSizeIterator::len).sum();
     let mut table = Vec::with_capacity(count);
     let mut room = &mut table.spare_capacity_mut()[..count];
     ask_for_huge_pages(room);
-    let own = |part| room.split_off_mut(..length(part)).expect("the lengths were added up");
-    let rooms: Vec<_> = parts.iter().map(own).collect();
-    assert!(room.is_empty(), "a part has one length");
-    parts.par_iter().zip(rooms).for_each(|(part, room)| {
-        for (place, room) in room.iter_mut().enumerate() {
-            room.write(value(part, place));
-        }
+    let rooms = parts.into_iter().map(|part| {
+        let own = room.split_off_mut(..part.len()).expect("the lengths were added up");
+        (part, own)
     });
-    // SAFETY: there is room for so many values, and each of them was written: the rooms are all of it.
+    let rooms: Vec<_> = rooms.collect();
+    assert!(room.is_empty(), "a part has one length");
+    rooms.into_par_iter().for_each(|(part, room)| {
+        let mut written = 0;
+        for (room, value) in room.iter_mut().zip(part) {
+            room.write(value);
+            written += 1;
+        }
+        assert_eq!(written, room.len(), "a part has as many values as it says");
+    });
+    // SAFETY: the rooms of the parts are all of the room there is for so many values, and each was written to its end.
+    // After a panic there are none, and what was written needs no drop.
     unsafe { table.set_len(count) };
     table
 }
@@ -60,9 +69,38 @@ mod tests {
 
     #[test]
     fn parts_stand_behind_each_other() {
-        for parts in [vec![], vec![0], vec![3, 0, 1], vec![100_000, 7, 200_000]] {
-            let numbers = table_of_parts(&parts, |&n| n, |&n, place| n - place);
-            assert!(numbers.into_iter().eq(parts.iter().flat_map(|&n| (1..=n).rev())));
+        for lengths in [vec![], vec![0], vec![3, 0, 1], vec![100_000, 7, 200_000]] {
+            let expected: Vec<i32> = lengths.iter().flat_map(|&n| 0..n).collect();
+            assert_eq!(concatenated(lengths.into_iter().map(|n| 0..n).collect()), expected);
         }
+    }
+
+    /// Says that it has more values than it has.
+    struct Short(std::ops::Range<u8>);
+
+    impl Iterator for Short {
+        type Item = u8;
+
+        fn next(&mut self) -> Option<u8> {
+            self.0.next()
+        }
+
+        fn size_hint(&self) -> (usize, Option<usize>) {
+            (self.0.len() + 1, Some(self.0.len() + 1))
+        }
+    }
+
+    impl ExactSizeIterator for Short {}
+
+    #[test]
+    #[should_panic(expected = "a part has as many values as it says")]
+    fn a_part_that_is_too_short_makes_no_table() {
+        let _ = concatenated(vec![Short(0..3), Short(0..2)]);
+    }
+
+    #[test]
+    #[should_panic(expected = "no seven")]
+    fn a_panic_makes_no_table() {
+        let _ = table(20, 0, |place, _| assert!(place != 7, "no seven"));
     }
 }

@@ -260,7 +260,7 @@ fn meshes_larger_than_caches() {
             indexed::<Bvh8>(&mesh, Quality::Medium),
             indexed::<Exhaustive>(&mesh, Quality::Medium),
         );
-        assert!(tree.shape().bytes + tree.primitives().bytes() > megabytes << 20);
+        assert!(tree.bytes() + tree.primitives().bytes() > megabytes << 20);
         let mut random = Random::new(&[43, megabytes]);
         let mut point = || Vec3::from_array(std::array::from_fn(|_| random.next_f32() - 0.5));
         let rays: Vec<Ray> = (0..for_this_isa(count))

@@ -1,9 +1,11 @@
 //! Parts of a binary tree that were built apart, and how they are put together.
 
+use std::vec;
+
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::node::Bvh2Node;
 
-use crate::simd::table_of_parts;
+use crate::simd::concatenated;
 
 /// A subtree.
 pub(super) enum Branch {
@@ -13,8 +15,8 @@ pub(super) enum Branch {
     Grown(Vec<Bvh2Node>),
 }
 
-/// Nodes without their root, and by how much their places move.
-type Move<'a> = (&'a [Bvh2Node], u32);
+/// Nodes, and by how much their places move.
+type Move = (vec::IntoIter<Bvh2Node>, u32);
 
 impl Branch {
     /// The box of its root.
@@ -46,12 +48,8 @@ impl Branch {
         // As many roots of what was grown as there are forks, and one.
         let mut next = 2 * self.forks() + 1;
         self.lay(0, &mut top, &mut next, &mut grown);
-        let parts: Vec<Move<'_>> = std::iter::once((&*top, 0)).chain(grown).collect();
-        table_of_parts(
-            &parts,
-            |(nodes, _)| nodes.len(),
-            |(nodes, by), place| moved(nodes[place], *by),
-        )
+        let parts = std::iter::once((top.into_iter(), 0)).chain(grown);
+        concatenated(parts.map(|(nodes, by)| nodes.map(move |node| moved(node, by))).collect())
     }
 
     /// How many forks there are.
@@ -62,29 +60,25 @@ impl Branch {
         }
     }
 
-    /// Writes the root to its place and the forks below it behind what is there.
-    fn lay<'a>(
-        &'a self,
-        place: usize,
-        top: &mut Vec<Bvh2Node>,
-        next: &mut usize,
-        grown: &mut Vec<Move<'a>>,
-    ) {
+    /// Writes the root to its place and the forks below it behind what is there; what was grown follows without its
+    /// root.
+    fn lay(self, place: usize, top: &mut Vec<Bvh2Node>, next: &mut usize, grown: &mut Vec<Move>) {
         match self {
             Self::Fork(bounds, below) => {
                 let first = top.len();
-                top[place] = Bvh2Node::new(*bounds, 0, first as u32);
+                top[place] = Bvh2Node::new(bounds, 0, first as u32);
                 top.extend([Bvh2Node::default(); 2]);
-                let [left, right] = &**below;
+                let [left, right] = *below;
                 left.lay(first, top, next, grown);
                 right.lay(first + 1, top, next, grown);
             }
             Self::Grown(nodes) => {
                 // The first that is no root comes to the place `next`.
                 let by = *next as u32 - 1;
-                top[place] = moved(nodes[0], by);
-                *next += nodes.len() - 1;
-                grown.push((&nodes[1..], by));
+                let mut nodes = nodes.into_iter();
+                top[place] = moved(nodes.next().expect("a root"), by);
+                *next += nodes.len();
+                grown.push((nodes, by));
             }
         }
     }

@@ -136,8 +136,8 @@ impl<P: Bounded> Kernel for Eight<'_, P> {
         let mut rows = [[0.0; 8]; PACK];
         self.primitives.bounds_of_eight::<S>(self.first, &mut rows);
         let signs = S::F8::load(&[-1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0]);
-        for (index, (row, reference)) in (self.first..).zip(rows.iter().zip(self.references)) {
-            let corners = &mut reference.0.0;
+        for (lane, row) in rows.iter().enumerate() {
+            let (index, corners) = (self.first + lane as u32, &mut self.references[lane].0.0);
             S::F8::load(row).flipped_by(signs).store(corners);
             (corners[3], corners[7]) = ((index & 0xffff) as f32, (index >> 16) as f32);
         }

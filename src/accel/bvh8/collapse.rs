@@ -10,7 +10,7 @@ use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
 
 use crate::math::{Aabb, NONE};
-use crate::simd::{Kernel, Simd, dispatch, table_of_parts};
+use crate::simd::{Kernel, Simd, concatenated, dispatch};
 
 use super::node::{Child, Node, WIDTH};
 use super::plan::{Leaves, Plan, Roots, pair};
@@ -42,7 +42,7 @@ pub(super) fn collapse(tree: &Bvh2, plan: &Plan, leaves: Leaves) -> Wide {
     let (top, open) = layout.top();
     let subtree = |open: &Open| dispatch(LayOut { layout: &layout, binary: open.binary });
     let subtrees: Vec<_> = open.par_iter().map(subtree).collect();
-    top.with(&open, &subtrees, leaves.block)
+    top.with_subtrees(&open, &subtrees, leaves.block)
 }
 
 /// What a layout is made from.
@@ -178,7 +178,7 @@ impl Kernel for LayOut<'_> {
 /// Sorts eight numbers by nineteen comparisons, the same whatever the numbers are: without a branch.
 #[inline(always)]
 fn sort_eight(list: &mut [u32; 8]) {
-    // Places that are written out: of a loop over them the compiler makes one.
+    // Written out, because the compiler does not unroll a loop over a table of them.
     let mut sort = |a: usize, b: usize| {
         (list[a], list[b]) = (list[a].min(list[b]), list[a].max(list[b]));
     };
@@ -204,9 +204,9 @@ fn sort_eight(list: &mut [u32; 8]) {
 }
 
 impl Wide {
-    /// Puts subtrees behind it, and their roots into their places.
-    fn with(mut self, open: &[Open], subtrees: &[Subtree], block: usize) -> Self {
-        // What is behind each other, and by how many nodes and blocks it moves.
+    /// With subtrees behind it, and their roots in their places.
+    fn with_subtrees(mut self, open: &[Open], subtrees: &[Subtree], block: usize) -> Self {
+        // The subtrees, and by how many nodes and blocks each moves.
         let mut moved = Vec::with_capacity(subtrees.len());
         let (mut nodes, mut blocks) = (self.nodes.len(), self.order.len() / block);
         for (&Open { place, .. }, Subtree { root, below }) in open.iter().zip(subtrees) {
@@ -215,19 +215,12 @@ impl Wide {
             nodes += below.nodes.len();
             blocks += below.order.len() / block;
         }
-        let parts: Vec<_> = std::iter::once((&self, 0, 0)).chain(moved).collect();
-        Self {
-            nodes: table_of_parts(
-                &parts,
-                |(part, ..)| part.nodes.len(),
-                |(part, nodes, blocks), place| part.nodes[place].moved(*nodes, *blocks),
-            ),
-            order: table_of_parts(
-                &parts,
-                |(part, ..)| part.order.len(),
-                |(part, ..), place| part.order[place],
-            ),
-        }
+        let parts = || std::iter::once((&self, 0, 0)).chain(moved.iter().copied());
+        let nodes = parts().map(|(part, nodes, blocks)| {
+            part.nodes.iter().map(move |node| node.moved(nodes, blocks))
+        });
+        let order = parts().map(|(part, ..)| part.order.iter().copied());
+        Self { nodes: concatenated(nodes.collect()), order: concatenated(order.collect()) }
     }
 }
 

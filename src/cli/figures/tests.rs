@@ -24,7 +24,7 @@ fn build() -> BuildReport {
         sah_cost: None,
     };
     let mut stages = BuildStages::default();
-    stages.add("triangles", Duration::from_micros(5_600));
+    stages.add("mesh", Duration::from_micros(5_600));
     stages.add("structure", Duration::from_millis(40));
     BuildReport {
         time: Duration::from_micros(45_600),

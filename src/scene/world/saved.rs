@@ -70,12 +70,12 @@ fn read_mesh<T: Portable>(
 ) -> Result<Indexed<TriangleSet, T>, LoadError> {
     let count = input.u32()?;
     let mean_vertex = Vec3A::from(input.vec3()?);
-    let of_mesh = TriangleMesh::try_new(&mesh.positions, &mesh.triangles)
+    let triangles = TriangleMesh::try_new(&mesh.positions, &mesh.triangles)
         .map_err(|error| LoadError::invalid(error.to_string()))?;
-    if count != of_mesh.count() || mean_vertex != of_mesh.mean_point() {
+    if count != triangles.count() || mean_vertex != triangles.mean_point() {
         return Err(LoadError::invalid(format!("it is of {count} triangles, or of others")));
     }
-    let arrange = |order: &[u32]| Ok(of_mesh.into_primitives(Some(order)));
+    let arrange = |order: &[u32]| Ok(triangles.into_primitives(Some(order)));
     let read = Indexed::read_structure(count, arrange, input)?;
     input.checksum()?;
     Ok(read)

@@ -22,8 +22,12 @@ fn point(random: &mut Random) -> Vec3 {
 
 /// Objects and a mesh of small triangles, all over a cube.
 fn scene(objects: Vec<(Shape, DAffine3)>) -> Scene {
-    let mut random = Random::new(&[1]);
-    let triangles = 512;
+    scene_of((1, 512), objects)
+}
+
+/// The same with so many triangles, by a seed.
+fn scene_of((seed, triangles): (u64, u32), objects: Vec<(Shape, DAffine3)>) -> Scene {
+    let mut random = Random::new(&[seed]);
     let mut positions = Vec::new();
     for _ in 0..triangles {
         let center = point(&mut random);
@@ -123,4 +127,20 @@ fn streams_find_what_none_finds() {
         });
     }
     compare(&scene(objects));
+}
+
+#[test]
+fn what_was_saved_of_other_triangles_is_refused() {
+    let of = |seed, triangles| scene_of((seed, triangles), vec![(mesh(), DAffine3::IDENTITY)]);
+    let mut bytes = Vec::new();
+    World::<Bvh8, Bvh8>::build(&of(1, 64), &BuildConfig::default()).write(&mut bytes).unwrap();
+    let read = |scene: &Scene| {
+        let read = World::<Bvh8, Bvh8>::read(scene, &mut &bytes[..], bytes.len() as u64);
+        read.map(|_| ()).map_err(|error| error.to_string())
+    };
+    assert_eq!(read(&of(1, 64)), Ok(()));
+    for other in [of(2, 64), of(1, 63)] {
+        let error = read(&other).unwrap_err();
+        assert!(error.contains("it is of 64 triangles, or of others"), "{error}");
+    }
 }

@@ -24,7 +24,7 @@ pub(in super::super) fn mean_and_bounds(
         }
         None => false,
     };
-    // Without a stop at the first that is missing: hardly ever is one, and the loop has no other branch.
+    // To the end, even where one is missing, which is hardly ever.
     let all = |corners: &[u32]| corners.iter().fold(true, |all, corner| note(corner) & all);
     if !triangles.as_flattened().par_chunks(CHUNK).all(all) {
         return None;

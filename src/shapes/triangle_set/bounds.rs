@@ -5,30 +5,27 @@ use std::ops::Range;
 use glam::Vec3A;
 use rayon::prelude::*;
 
-use crate::accel::{Bounded, PACK, Packs as _};
-use crate::math::{Aabb, Lanes as _, Lanes3};
+use crate::accel::Packs as _;
+use crate::math::{Aabb, Lanes as _, Lanes3, Mask as _};
 use crate::simd::{Kernel, Row as _, Simd, dispatch, splat3};
 
 use super::TriangleSet;
 
-/// Triangles that a thread takes together.
-const CHUNK: usize = 1 << 13;
+/// Packs that a thread takes together.
+const CHUNK: usize = 1 << 10;
 
-/// The box around all triangles.
+/// The box around all triangles, in whatever slots they are.
 pub(super) fn bounds_of(set: &TriangleSet) -> Aabb {
-    // Empty lanes would count as points; the last pack alone has some, before a structure's order.
-    let whole = set.packs.len().min(set.count as usize / PACK);
-    let chunks = (0..whole.div_ceil(CHUNK / PACK)).into_par_iter();
-    let bounds = chunks.map(|chunk| {
-        let first = chunk * (CHUNK / PACK);
-        dispatch(BoundsOf { set, packs: first..whole.min(first + CHUNK / PACK) })
-    });
-    let rest = (whole * PACK) as u32..set.count;
-    let rest = rest.map(|index| Bounded::bounds(set, index)).fold(Aabb::EMPTY, Aabb::union);
-    bounds.reduce(|| Aabb::EMPTY, Aabb::union).union(rest)
+    let count = set.packs.len();
+    let chunk = |chunk: usize| {
+        let first = chunk * CHUNK;
+        dispatch(BoundsOf { set, packs: first..count.min(first + CHUNK) })
+    };
+    let chunks = (0..count.div_ceil(CHUNK)).into_par_iter();
+    chunks.map(chunk).reduce(|| Aabb::EMPTY, Aabb::union)
 }
 
-/// The box around all triangles of whole packs.
+/// The box around all triangles of some packs.
 struct BoundsOf<'a> {
     set: &'a TriangleSet,
     packs: Range<usize>,
@@ -43,9 +40,11 @@ impl Kernel for BoundsOf<'_> {
             [splat3([f32::INFINITY; 3]), splat3([f32::NEG_INFINITY; 3])];
         for pack in self.packs {
             let [low, high] = self.set.boxes::<S>(pack);
+            // Empty lanes are NaN.
+            let present = low[0].le(low[0]).bits();
             for axis in 0..3 {
-                all[0][axis] = all[0][axis].min(low[axis]);
-                all[1][axis] = all[1][axis].max(high[axis]);
+                all[0][axis] = all[0][axis].min(low[axis]).select(present, all[0][axis]);
+                all[1][axis] = all[1][axis].max(high[axis]).select(present, all[1][axis]);
             }
         }
         let [low, high] = all;
@@ -59,6 +58,8 @@ impl Kernel for BoundsOf<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::accel::Primitives as _;
+    use crate::math::NONE;
     use glam::Vec3;
 
     #[test]
@@ -68,9 +69,17 @@ mod tests {
             let positions: Vec<_> = (0..3 * count).map(at).collect();
             let triangles: Vec<_> =
                 (0..count as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-            let set = TriangleSet::new(&positions, &triangles);
+            let mut set = TriangleSet::new(&positions, &triangles);
             let around = Aabb::of_points(positions.iter().map(|&p| p.into()));
             assert_eq!(bounds_of(&set), around, "{count}");
+            // Three to a pack, from the last on.
+            let slot = |slot: u32| if slot % 8 < 3 { slot / 8 * 3 + slot % 8 } else { NONE };
+            let from_last = |place: u32| (count as u32).checked_sub(place + 1).unwrap_or(NONE);
+            let slots = (0..(count as u32).div_ceil(3) * 8).map(slot);
+            let order: Vec<_> =
+                slots.map(|place| if place == NONE { NONE } else { from_last(place) }).collect();
+            set.reorder(&order);
+            assert_eq!(bounds_of(&set), around, "{count}, in an order");
         }
     }
 }

@@ -87,15 +87,15 @@ fn structure(scene: &str, typical: &Typical, triangles: u64, key: u64) -> Struct
 fn stages(typical: &Typical) -> Vec<BuildStage> {
     let shares: &[(&str, f64)] = if typical.nodes > 1 {
         &[
-            ("triangles", 0.031),
+            ("mesh", 0.031),
             ("boxes", 0.044),
             ("tree", 0.682),
             ("collapse", 0.158),
-            ("order", 0.063),
+            ("primitives", 0.063),
             ("objects", 0.0002),
         ]
     } else {
-        &[("triangles", 0.913), ("structure", 0.0), ("objects", 0.0041)]
+        &[("mesh", 0.313), ("structure", 0.0), ("primitives", 0.6), ("objects", 0.0041)]
     };
     let stage = |&(name, share): &(&str, f64)| BuildStage {
         name: name.to_owned(),
