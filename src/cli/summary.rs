@@ -269,7 +269,7 @@ mod tests {
     fn the_table() {
         let expected = "\
 structure   bvh, medium build
-built in    45.6 ms (triangles 5.60 ms, structure 40.0 ms)
+built in    45.6 ms (mesh 5.60 ms, structure 40.0 ms)
 rendered in 1.25 s
 threads     2
 memory      4.27 MiB index, 3.20 MiB for 70.0 k triangles: 112 B a triangle
