@@ -87,7 +87,7 @@ impl<'a> TriangleMesh<'a> {
 
     /// Asks the caches for what comes some slots later.
     #[inline]
-    fn prefetch_behind(&self, order: &[u32], slot: usize) {
+    fn prefetch_ahead(&self, order: &[u32], slot: usize) {
         let corners_in = |slot: usize| {
             let &index = order.get(slot)?;
             self.triangles.get(index as usize)
@@ -129,14 +129,13 @@ impl IntoPrimitives for TriangleMesh<'_> {
 
     fn into_primitives(self, order: Option<&[u32]>) -> TriangleSet {
         let Some(order) = order else {
-            let in_slot = |slot| {
-                let corners = self.triangles.get(slot)?;
-                Some((Triangle::of_mesh(self.positions, corners), slot as u32))
-            };
-            return TriangleSet::of_mesh(&self, self.triangles.len(), in_slot);
+            let slots = self.triangles.len();
+            return TriangleSet::of_mesh(&self, slots, |slot| {
+                (slot < slots).then(|| (self.triangle(slot as u32), slot as u32))
+            });
         };
         TriangleSet::of_mesh(&self, order.len(), |slot| {
-            self.prefetch_behind(order, slot);
+            self.prefetch_ahead(order, slot);
             self.in_slot(order, slot)
         })
     }

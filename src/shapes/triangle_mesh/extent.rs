@@ -51,16 +51,20 @@ pub(in super::super) fn mean_and_bounds(
 }
 
 #[cfg(test)]
-mod tests {
+pub(in super::super) mod tests {
     use super::*;
+
+    /// So many triangles, each of vertices of its own.
+    pub(in super::super::super) fn apart(triangles: usize) -> (Vec<Vec3>, Vec<[u32; 3]>) {
+        let at = |i: usize| Vec3::new(i as f32, (i % 100) as f32 - 60.0, -2.0 - (i % 7) as f32);
+        let corners = (0..triangles as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
+        ((0..3 * triangles).map(at).collect(), corners.collect())
+    }
 
     #[test]
     fn boxes_and_means_are_those_of_a_plain_sum() {
         for count in [0, 1, 7, 8, 9, 30_001] {
-            let at = |i: usize| Vec3::new(i as f32, (i % 100) as f32 - 60.0, -2.0 - (i % 7) as f32);
-            let positions: Vec<_> = (0..3 * count).map(at).collect();
-            let triangles: Vec<_> =
-                (0..count as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+            let (positions, triangles) = apart(count);
             let (mean, bounds) = mean_and_bounds(&positions, &triangles).unwrap();
             assert_eq!(bounds, Aabb::of_points(positions.iter().map(|&p| p.into())), "{count}");
             let sum: DVec3 = positions.iter().map(|p| p.as_dvec3()).sum();

@@ -60,15 +60,12 @@ mod tests {
     use super::*;
     use crate::accel::Primitives as _;
     use crate::math::NONE;
-    use glam::Vec3;
+    use crate::shapes::triangle_mesh::extent::tests::apart;
 
     #[test]
     fn boxes_are_around_all() {
         for count in [0, 1, 7, 8, 9, 30_001] {
-            let at = |i: usize| Vec3::new(i as f32, (i % 100) as f32 - 60.0, -2.0 - (i % 7) as f32);
-            let positions: Vec<_> = (0..3 * count).map(at).collect();
-            let triangles: Vec<_> =
-                (0..count as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+            let (positions, triangles) = apart(count);
             let mut set = TriangleSet::new(&positions, &triangles);
             let around = Aabb::of_points(positions.iter().map(|&p| p.into()));
             assert_eq!(bounds_of(&set), around, "{count}");
