@@ -2,7 +2,10 @@
 
 use super::class::ray_times;
 use super::statistics::{BetweenRuns, unpaired_ratio_of_estimates};
-use crate::record::{Baseline, Change, Changes, ClassRecord, Comparison, Run};
+use crate::record::{Baseline, Change, Changes, ClassRecord, Comparison, Run, SceneRecord};
+
+/// What follows where rays differ.
+const OTHER_RAYS: &str = " The two runs traced different rays.";
 
 /// Compares a new record with an old one. Scenes whose files changed are not compared. A change is a regression above
 /// a slowdown of `threshold`: 0.1 is 10 %.
@@ -26,6 +29,7 @@ pub fn compare(old: &Comparison, new: &Comparison, threshold: f64) -> Baseline {
             changes.doubts.push(doubt);
             continue;
         }
+        changes.warnings.extend(other_rays(old_scene, scene));
         for structure in &scene.structures {
             for class in &structure.classes {
                 let old = old_scene.structure(&structure.name);
@@ -85,7 +89,17 @@ fn add(
     }
 }
 
-/// What only the old record measured: the structure may have failed or become too slow.
+/// That both records name the rays of a scene, and these are not the same.
+fn other_rays(old: &SceneRecord, new: &SceneRecord) -> Option<String> {
+    let hash = |scene: &SceneRecord| scene.rays.as_ref().map(|rays| rays.hash.clone());
+    let (old, own) = (hash(old)?, hash(new)?);
+    let name = &new.name;
+    (old != own)
+        .then(|| format!("The rays of {name} had the hash {old} and have {own}.{OTHER_RAYS}"))
+}
+
+/// What only the old record measured: the structure may have failed or become too slow, for one class of rays or for
+/// all.
 fn missing(old: &Comparison, new: &Comparison) -> Vec<String> {
     let mut doubts = Vec::new();
     for scene in &old.scenes {
@@ -95,10 +109,15 @@ fn missing(old: &Comparison, new: &Comparison) -> Vec<String> {
         };
         for structure in scene.structures.iter().filter(|structure| !structure.classes.is_empty()) {
             let new = new_scene.structure(&structure.name);
-            if new.is_none_or(|new| new.classes.is_empty()) {
+            let is_missing =
+                |class: &&ClassRecord| new.is_none_or(|new| new.class(class.class).is_none());
+            let classes: Vec<&str> =
+                structure.classes.iter().filter(is_missing).map(|own| own.class.name()).collect();
+            if !classes.is_empty() {
                 let (structure, scene) = (&structure.name, &scene.name);
                 doubts.push(format!(
-                    "The baseline measured {structure} in {scene}; the new run did not."
+                    "The baseline measured {} rays of {scene} with {structure}; the new run did not.",
+                    classes.join(", ")
                 ));
             }
         }
@@ -134,7 +153,7 @@ fn run_warnings(old: &Run, new: &Run) -> Vec<String> {
     let seed = ("seed", old.seed.to_string(), new.seed.to_string());
     let other_machine = " Times of two machines do not show a change of srt.";
     let mut warnings = differences(vec![processor], other_machine);
-    warnings.extend(differences(vec![seed], " The two runs traced different rays."));
+    warnings.extend(differences(vec![seed], OTHER_RAYS));
     warnings
 }
 

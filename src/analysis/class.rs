@@ -3,9 +3,12 @@
 use serde::Serialize;
 
 use super::statistics::{
-    BetweenRuns, Center, Rounds, median, million_per_second, ratio_of_estimates,
+    BetweenRuns, Center, Risk, Rounds, median, million_per_second, ratio_of_estimates,
 };
-use crate::record::{BlockSample, ClassRecord, Estimate, HardwareCounters, RayClass, Round};
+use crate::record::{
+    BlockSample, ClassRecord, Estimate, HardwareCounters, RayClass, Round, SceneRecord,
+    StructureRecord,
+};
 
 /// The figures of a class of rays with a structure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -16,8 +19,12 @@ pub struct ClassFigures {
     pub rays: u64,
     /// How many rays were recorded: times and rates are estimates for all of them.
     pub recorded_rays: u64,
-    /// The share of them that hit something, from 0 to 1.
+    /// The share of them that hit something, from 0 to 1. It is the same for all structures: that which was counted on
+    /// the most rays.
     pub hit_share: Option<f64>,
+    /// The share of them on which tests were counted: below 1 the two figures that follow are of a sample, and have no
+    /// interval.
+    pub counted_share: Option<f64>,
     /// Box tests per ray.
     pub boxes_per_ray: Option<f64>,
     /// Primitive tests per ray.
@@ -58,12 +65,12 @@ impl ClassFigures {
         self.rays < self.recorded_rays
     }
 
-    /// Processor time over own time, where it differs by more than [`DISTURBED`](Self::DISTURBED): more than one thread
-    /// worked.
+    /// Processor time over own time, where it is larger by more than [`DISTURBED`](Self::DISTURBED): more than one
+    /// thread worked.
     #[must_use]
     pub fn processor_share(&self) -> Option<f64> {
         let share = self.cpu_ns_per_ray?.value / self.ns_per_ray?.value;
-        (!(1.0 / Self::DISTURBED..=Self::DISTURBED).contains(&share)).then_some(share)
+        (share > Self::DISTURBED).then_some(share)
     }
 }
 
@@ -73,8 +80,7 @@ pub(super) fn class_figures(
     base: Option<&ClassRecord>,
     between_runs: BetweenRuns,
 ) -> ClassFigures {
-    let counted_rays = if own.counted_rays > 0 { own.counted_rays } else { own.rays };
-    let per_counted = |n: u64| quotient(n as f64, counted_rays as f64);
+    let per_counted = |n: u64| quotient(n as f64, counted_rays(own) as f64);
     let per_ray = |n: u64| quotient(n as f64, own.rays as f64);
     let times = ray_times(own);
     let for_any_run = |estimate| between_runs.widen(estimate);
@@ -84,6 +90,7 @@ pub(super) fn class_figures(
         rays: own.rays,
         recorded_rays: own.recorded_rays(),
         hit_share: per_counted(own.hits),
+        counted_share: quotient(counted_rays(own) as f64, own.recorded_rays() as f64),
         boxes_per_ray: own.boxes.and_then(per_counted),
         primitives_per_ray: own.primitives.and_then(per_counted),
         ns_per_ray,
@@ -96,11 +103,26 @@ pub(super) fn class_figures(
         cache_misses_per_ray: counted(own, |counts| per_ray(counts.cache_misses?)),
         million_rays_per_second: ns_per_ray.and_then(rate),
         speedup: base.and_then(|base| {
-            let ratio = ratio_of_estimates(&ray_times(base), &times)?;
+            let ratio = ratio_of_estimates(&ray_times(base), &times, Risk::USUAL)?;
             // The base's ratio to itself is 1 in every run.
             Some(if std::ptr::eq(base, own) { ratio } else { for_any_run(ratio) })
         }),
     }
+}
+
+/// The rays on which hits and tests were counted; older records do not say, and counted those of a round.
+fn counted_rays(class: &ClassRecord) -> u64 {
+    if class.counted_rays > 0 { class.counted_rays } else { class.rays }
+}
+
+/// The share of a class's rays that hit something: hits are equal for all structures, so by what was counted on the
+/// most rays. A structure that failed may not have counted, and a peer's hits are its own.
+pub(super) fn hit_share(scene: &SceneRecord, class: RayClass) -> Option<f64> {
+    let rows = scene.structures.iter().filter(|row| !row.has_failed());
+    let of = |row: &'_ StructureRecord| row.class(class).map(counted_rays);
+    let best = rows.max_by_key(|row| (of(row).is_some() && !row.peer, of(row)))?;
+    let counted = best.class(class)?;
+    quotient(counted.hits as f64, counted_rays(counted) as f64)
 }
 
 /// The own time per ray of a class in nanoseconds, for each round.

@@ -6,6 +6,7 @@
 
 pub mod baseline;
 mod class;
+mod costs;
 mod finding;
 pub mod motion;
 mod noise;
@@ -58,7 +59,8 @@ impl Analysis {
         let scene = |scene| SceneFigures::of(scene, &comparison.base, between_runs);
         let chapter = comparison.sampling.as_ref();
         let operations = chapter.iter().flat_map(|chapter| &chapter.costs);
-        let operations: Vec<_> = operations.map(OperationFigures::of).collect();
+        let operations: Vec<_> =
+            operations.map(|cost| OperationFigures::of(cost, between_runs)).collect();
         let scenes: Vec<SceneFigures> = comparison.scenes.iter().map(scene).collect();
         Self {
             finding: finding::best_finding(&comparison.scenes, between_runs),
@@ -70,7 +72,7 @@ impl Analysis {
                 .map(|sweep| SweepFigures::of(sweep, between_runs))
                 .collect(),
             shares: chapter.map(|c| share::shares(c, &operations)).unwrap_or_default(),
-            noise: chapter.map(|c| noise::noise(&c.noise)).unwrap_or_default(),
+            noise: chapter.map(|c| noise::noise(&c.noise, between_runs)).unwrap_or_default(),
             operations,
         }
     }

@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 
-use super::statistics::{estimate, log_log_interpolate, paired_ratio};
+use super::statistics::{BetweenRuns, estimate, log_log_interpolate, paired_ratio};
 use crate::record::{Estimate, NoisePoint};
 
 /// The method that others are compared with.
@@ -50,13 +50,14 @@ struct Measured<'a> {
 }
 
 /// For each scene first all counts of samples, then all times.
-pub(super) fn noise(points: &[NoisePoint]) -> Vec<NoiseFigures> {
+pub(super) fn noise(points: &[NoisePoint], between_runs: BetweenRuns) -> Vec<NoiseFigures> {
     let mut scenes: Vec<&str> = points.iter().map(|point| point.scene.as_str()).collect();
     scenes.dedup();
     let mut figures = Vec::new();
     for scene in scenes {
         let of_scene = points.iter().filter(|point| point.scene == scene);
-        let measured: Vec<Measured<'_>> = of_scene.filter_map(Measured::of).collect();
+        let measured: Vec<Measured<'_>> =
+            of_scene.filter_map(|point| Measured::of(point, between_runs)).collect();
         figures.extend(measured.iter().map(|own| own.for_equal_samples(&measured)));
         for own in measured.iter().filter(|own| own.point.sampling != BASE) {
             figures.extend(own.for_equal_time(&measured).into_iter().flatten());
@@ -66,9 +67,13 @@ pub(super) fn noise(points: &[NoisePoint]) -> Vec<NoiseFigures> {
 }
 
 impl<'a> Measured<'a> {
-    fn of(point: &'a NoisePoint) -> Option<Self> {
+    fn of(point: &'a NoisePoint, between_runs: BetweenRuns) -> Option<Self> {
         let ns: Vec<f64> = point.rounds_ns.iter().map(|&ns| ns as f64).collect();
-        Some(Self { point, ns: estimate(&ns)?, rmse: estimate(&point.rounds_rmse)? })
+        Some(Self {
+            point,
+            ns: between_runs.widen(estimate(&ns)?),
+            rmse: estimate(&point.rounds_rmse)?,
+        })
     }
 
     fn figures(&self, pairing: Pairing, ratio: Option<Estimate>) -> NoiseFigures {
@@ -139,7 +144,7 @@ mod tests {
             point("independent", 4, 100, 0.2),
             point("independent", 16, 400, 0.1),
         ];
-        let figures = noise(&points);
+        let figures = noise(&points, BetweenRuns(0.0));
         let ratio = |figures: &NoiseFigures| figures.ratio.map(|ratio| ratio.value);
         let samples: Vec<_> = figures.iter().take(4).map(ratio).collect();
         assert_eq!(samples, [Some(0.5), Some(0.3), None, None]);
@@ -157,6 +162,6 @@ mod tests {
     fn points_without_frames_have_no_figures() {
         let mut empty = point("shuffled", 4, 1, 1.0);
         empty.rounds_ns.clear();
-        assert_eq!(noise(&[empty]), []);
+        assert_eq!(noise(&[empty], BetweenRuns(0.0)), []);
     }
 }

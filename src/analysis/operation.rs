@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::class::quotient;
-use super::statistics::estimate;
+use super::statistics::{BetweenRuns, estimate};
 use crate::record::{Estimate, OperationCost};
 
 /// The cost of an operation.
@@ -16,10 +16,10 @@ pub struct OperationFigures {
 }
 
 impl OperationFigures {
-    pub(super) fn of(cost: &OperationCost) -> Self {
+    pub(super) fn of(cost: &OperationCost, between_runs: BetweenRuns) -> Self {
         let once = |&ns: &u64| quotient(ns as f64, cost.count as f64);
         let rounds: Option<Vec<f64>> = cost.rounds_ns.iter().map(once).collect();
-        let ns = rounds.and_then(|rounds| estimate(&rounds));
+        let ns = rounds.and_then(|rounds| estimate(&rounds)).map(|ns| between_runs.widen(ns));
         Self { operation: cost.operation.clone(), ns }
     }
 }

@@ -2,10 +2,9 @@
 
 use serde::Serialize;
 
-use super::class::{ClassFigures, class_figures, quotient};
-use super::statistics::{
-    BetweenRuns, BreakEven, Cost, break_even, estimate, paired_ratio, pareto_front,
-};
+use super::class::{ClassFigures, class_figures, hit_share, quotient};
+use super::costs::compare_costs;
+use super::statistics::{BetweenRuns, BreakEven, Cost, estimate, paired_ratio};
 use crate::record::{Estimate, Memory, PictureRound, RayClass, SceneRecord, StructureRecord};
 
 /// The figures of all structures over a scene.
@@ -29,7 +28,7 @@ pub struct StructureFigures {
     pub build_one_thread_ns: Option<Estimate>,
     /// Wall time of the build on all threads, in nanoseconds.
     pub build_all_threads_ns: Option<Estimate>,
-    /// Bytes of the index per triangle in memory.
+    /// Bytes of the index per triangle in memory; absent without meshes.
     pub bytes_per_triangle: Option<f64>,
     /// Bytes of the index and of the triangles together, per triangle in memory: what can be compared with a peer,
     /// whose index may hold the triangles.
@@ -45,14 +44,16 @@ pub struct StructureFigures {
     /// How many times as fast as the base is with build and rendering.
     pub picture_speedup: Option<Estimate>,
     /// Own time of the picture's mean ray in nanoseconds: the estimates of the classes of
-    /// [`RayClass::RENDERED`], weighted by their recorded rays; absent if the interval of one is missing or too wide.
+    /// [`RayClass::RENDERED`], weighted by their recorded rays; absent if the interval of one is missing or too wide,
+    /// or if another structure of the scene traced a class that this one did not.
     pub mean_ray_ns: Option<f64>,
-    /// From how many of these rays on it is faster than the base, builds on all threads included; absent if one of
+    /// From how many of these rays on it is faster than the base, all on one thread, builds included; absent if one of
     /// these times has too few rounds for an interval.
     pub break_even: Option<BreakEven>,
-    /// Whether no other structure has both a faster build and a faster mean ray.
+    /// Whether it is dominated by no other structure: by none whose build or mean ray is faster, and the other of both
+    /// not slower, as far as intervals tell them apart.
     pub on_pareto_front: bool,
-    /// The classes of rays that were traced.
+    /// The classes of rays that were traced; none if it failed, though the record has what it traced before.
     pub classes: Vec<ClassFigures>,
 }
 
@@ -60,12 +61,9 @@ impl SceneFigures {
     /// Computes the figures of a scene.
     pub(super) fn of(scene: &SceneRecord, base: &str, between_runs: BetweenRuns) -> Self {
         let base = base_of(scene, base);
-        let mut structures: Vec<_> = scene
-            .structures
-            .iter()
-            .map(|structure| StructureFigures::of(structure, base, stored(scene), between_runs))
-            .collect();
-        compare_costs(&mut structures, base);
+        let figures = |own| StructureFigures::of(scene, own, base, between_runs);
+        let mut structures: Vec<_> = scene.structures.iter().map(figures).collect();
+        compare_costs(scene, &mut structures, base, between_runs);
         let base = base.map(|base| base.name.clone());
         Self { scene: scene.name.clone(), base, structures }
     }
@@ -103,18 +101,19 @@ impl SceneFigures {
 
 impl StructureFigures {
     fn of(
+        scene: &SceneRecord,
         own: &StructureRecord,
         base: Option<&StructureRecord>,
-        triangles: u64,
         between_runs: BetweenRuns,
     ) -> Self {
+        let triangles = stored(scene);
         let estimate = |rounds: &[f64]| estimate(rounds).map(|own| between_runs.widen(own));
         let base_class = |class| base.and_then(|base| base.class(class));
-        let classes: Vec<_> = own
-            .classes
-            .iter()
-            .map(|class| class_figures(class, base_class(class.class), between_runs))
-            .collect();
+        let measured = own.classes.iter().filter(|_| !own.has_failed());
+        let classes = measured.map(|class| ClassFigures {
+            hit_share: hit_share(scene, class.class),
+            ..class_figures(class, base_class(class.class), between_runs)
+        });
         let picture_rounds = picture_ns(own);
         let shape = own.shape.as_ref();
         let per_triangle = |bytes: fn(&Memory) -> u64| {
@@ -136,10 +135,10 @@ impl StructureFigures {
                 let ratio = paired_ratio(&picture_ns(base), &picture_rounds)?;
                 Some(if std::ptr::eq(base, own) { ratio } else { between_runs.widen(ratio) })
             }),
-            mean_ray_ns: mean_ray_ns(&classes),
+            mean_ray_ns: None,
             break_even: None,
             on_pareto_front: false,
-            classes,
+            classes: classes.collect(),
         }
     }
 
@@ -149,69 +148,33 @@ impl StructureFigures {
         self.classes.iter().find(|figures| figures.class == class)
     }
 
-    /// Whether its build and all rays of a picture have intervals.
-    fn has_intervals(&self) -> bool {
-        let build = self.build_all_threads_ns.or(self.build_one_thread_ns);
-        let has_interval = |estimate: &Estimate| estimate.interval.is_some();
-        let of_picture = self.classes.iter().filter(|c| RayClass::RENDERED.contains(&c.class));
-        build.as_ref().is_some_and(has_interval)
-            && of_picture.map(|c| c.ns_per_ray).all(|e| e.as_ref().is_some_and(has_interval))
-    }
-
-    /// Build and mean ray, if both are known.
+    /// Build and mean ray on one thread, if both are known.
     #[must_use]
     pub fn cost(&self) -> Option<Cost> {
-        let build_ns = self.build_all_threads_ns.or(self.build_one_thread_ns)?.value;
-        Some(Cost { build_ns, ray_ns: self.mean_ray_ns? })
+        Some(Cost { build_ns: self.build_one_thread_ns?.value, ray_ns: self.mean_ray_ns? })
     }
 }
 
-/// The triangles that structures index: each mesh has one index for all of its objects.
+/// The triangles that structures index: each mesh has one index for all of its objects. None without meshes, whatever
+/// single triangles there are: an index over objects has no bytes per triangle.
 fn stored(scene: &SceneRecord) -> u64 {
-    if scene.stored_triangles > 0 { scene.stored_triangles } else { scene.triangles }
+    let has_meshes = |row: &StructureRecord| {
+        row.peer || row.memory.as_ref().is_none_or(|memory| memory.primitive_bytes > 0)
+    };
+    match scene.structures.iter().any(has_meshes) {
+        true if scene.stored_triangles > 0 => scene.stored_triangles,
+        true => scene.triangles,
+        false => 0,
+    }
 }
 
-/// The structure of the name if it traced any rays, or the first structure that did.
+/// The structure of the name if it traced any rays and did not fail, or the first structure of which that is true.
 fn base_of<'a>(scene: &'a SceneRecord, name: &str) -> Option<&'a StructureRecord> {
     let traced = |structure: &&StructureRecord| {
-        structure.classes.iter().any(|class| !class.rounds.is_empty())
+        !structure.has_failed() && structure.classes.iter().any(|class| !class.rounds.is_empty())
     };
     let first = || scene.structures.iter().find(traced);
     scene.structure(name).filter(traced).or_else(first)
-}
-
-/// Computes what depends on all structures: break-even points and the Pareto front.
-fn compare_costs(structures: &mut [StructureFigures], base: Option<&StructureRecord>) {
-    let costs: Vec<Option<Cost>> = structures.iter().map(StructureFigures::cost).collect();
-    let points: Vec<(f64, f64)> = costs
-        .iter()
-        .map(|cost| cost.map_or((f64::NAN, f64::NAN), |cost| (cost.build_ns, cost.ray_ns)))
-        .collect();
-    for i in pareto_front(&points) {
-        structures[i].on_pareto_front = true;
-    }
-    let Some(base) = base.and_then(|base| structures.iter().position(|s| s.structure == base.name))
-    else {
-        return;
-    };
-    let base_has_intervals = structures[base].has_intervals();
-    for (i, structure) in structures.iter_mut().enumerate().filter(|&(i, _)| i != base) {
-        let costs =
-            costs[i].zip(costs[base]).filter(|_| base_has_intervals && structure.has_intervals());
-        structure.break_even = costs.map(|(own, base)| break_even(own, base));
-    }
-}
-
-/// The mean over the picture's recorded rays of the estimates of their classes; `None` if one is missing or too wide to
-/// be ranked by.
-fn mean_ray_ns(classes: &[ClassFigures]) -> Option<f64> {
-    let (mut ns, mut rays) = (0.0, 0.0);
-    for class in classes.iter().filter(|c| c.rays > 0 && RayClass::RENDERED.contains(&c.class)) {
-        let recorded = class.recorded_rays as f64;
-        ns += class.ns_per_ray.filter(Estimate::supports_a_statement)?.value * recorded;
-        rays += recorded;
-    }
-    quotient(ns, rays)
 }
 
 /// Build and rendering of each round, in nanoseconds.
@@ -224,6 +187,6 @@ fn picture_part(structure: &StructureRecord, part: fn(&PictureRound) -> u64) -> 
     structure.picture_rounds.iter().map(|round| part(round) as f64).collect()
 }
 
-fn floats(values: &[u64]) -> Vec<f64> {
+pub(super) fn floats(values: &[u64]) -> Vec<f64> {
     values.iter().map(|&value| value as f64).collect()
 }

@@ -56,8 +56,17 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Comman
     let fine = print_result(arguments, &result, &report, folder.path())?;
     // Last, so that a folder that is full takes nothing of the report away.
     rays.map_or(Ok(()), RayFolder::finish)?;
+    let baseline = result.comparison.baseline.as_ref();
     let compared = |baseline: &Baseline| !baseline.outcome.changes.is_empty();
-    let unrelated = !result.comparison.baseline.as_ref().is_none_or(compared);
+    let unrelated = !baseline.is_none_or(compared);
+    let is_warned = |baseline: &&Baseline| !baseline.outcome.warnings.is_empty();
+    let warned = baseline.filter(is_warned).filter(|_| !unrelated);
+    if let Some(baseline) = warned {
+        print_error(format_args!(
+            "the baseline cannot show a change of this program: {}",
+            baseline.outcome.warnings.join(" ")
+        ));
+    }
     let partial = result.comparison.run.partial;
     if unrelated && !partial {
         print_error(
@@ -65,14 +74,14 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Comman
              that both measured with the same structure in the same scene",
         );
     }
-    Ok(if partial { interrupt.exit() } else { exit(fine, unrelated) })
+    Ok(if partial { interrupt.exit() } else { exit(fine, unrelated || warned.is_some()) })
 }
 
-/// How a whole comparison ends: wrong results weigh more than a baseline that has nothing in common.
-fn exit(fine: bool, unrelated_baseline: bool) -> Exit {
+/// How a whole comparison ends: wrong results weigh more than a baseline that shows nothing.
+fn exit(fine: bool, baseline_shows_nothing: bool) -> Exit {
     match fine {
         false => Exit::Negative,
-        true if unrelated_baseline => Exit::Trouble,
+        true if baseline_shows_nothing => Exit::Trouble,
         true => Exit::Fine,
     }
 }
@@ -85,7 +94,10 @@ fn print_result(
     folder: &Path,
 ) -> Result<bool, Failure> {
     let text = report.terminal() + &report.terminal_changes().unwrap_or_default();
-    let is_slower = |baseline: &Baseline| baseline::regressions(baseline).next().is_some();
+    // Of another machine, or by other rays, a change is none of this program.
+    let is_slower = |baseline: &Baseline| {
+        baseline.outcome.warnings.is_empty() && baseline::regressions(baseline).next().is_some()
+    };
     let fine = result.holds() && !result.comparison.baseline.as_ref().is_some_and(is_slower);
     differences(&result.comparison).iter().for_each(print_error);
     if !arguments.quiet {

@@ -68,6 +68,7 @@ pub(super) fn too_short(plan: &Plan) -> Option<String> {
     let what = match (scenes, parts - scenes) {
         (1, 0) => "1 scene".to_owned(),
         (_, 0) => format!("{scenes} scenes"),
+        (0, 1) => "1 part".to_owned(),
         _ => format!("{parts} parts"),
     };
     let enough = (FEWEST_SECONDS * parts as f64).ceil();

@@ -11,9 +11,10 @@
 //! rays is drawn digit by digit, from the coarsest part to the finest, each digit by the random number of its part:
 //! the part that is drawn by itself in a coarse sample is drawn in a finer one, too.
 //!
-//! Before a block is timed, the block before it is traced, so that caches are as warm as in the middle of all rays.
-//! Before all rays are, the last few thousand of them are: a class of a few hundred rays would else find what the other
-//! structures have left in the caches, and its time would depend on their number.
+//! Before a block is timed, those before it are traced, so that caches are as warm as in the middle of all rays: for as
+//! long as it takes to fill them, since a block of a fast structure is too short for that. Before all rays are, the
+//! last few thousand of them are: a class of a few hundred rays would else find what the other structures have left in
+//! the caches, and its time would depend on their number.
 
 use std::ops::Range;
 use std::time::Duration;
@@ -31,8 +32,10 @@ const WANTED_BLOCKS: usize = 16;
 /// With fewer blocks a class is not measured.
 const FEWEST_BLOCKS: usize = 2;
 
-/// Traced for each ray that is timed: the ray itself, and one that warms the caches.
-const COST: usize = 2;
+/// Before a block is timed, rays are traced for at least as long: what a second-level cache of two megabytes takes to
+/// be filled from main memory at ten gigabytes a second. With as many rays as are timed, and no more, blocks of 64 rays
+/// of a fast tree took up to 1.5 times as long a ray as all rays do.
+const WARMUP_TIME: Duration = Duration::from_micros(200);
 
 /// Traced, at most, before all rays are timed: some hundred microseconds of a tree.
 const WHOLE_WARMUP: usize = 4 * RAYS_PER_CALL;
@@ -48,8 +51,8 @@ const STREAM: u64 = 0x626c_6f63_6b73;
 pub(super) enum Sample {
     /// All.
     Whole,
-    /// A power of two of blocks of consecutive rays.
-    Blocks { size: usize, count: usize },
+    /// A power of two of blocks of consecutive rays, each after some that warm up.
+    Blocks { size: usize, count: usize, warmup: usize },
 }
 
 /// A block of a sample, as places of rays.
@@ -62,27 +65,35 @@ pub(super) struct Block {
 }
 
 impl Sample {
-    /// The largest sample of `rays` rays for which no more than `affordable` are traced; `None` if that is too small to
-    /// say anything.
-    pub(super) fn that_fits(rays: usize, affordable: usize) -> Option<Self> {
+    /// The largest sample of `rays` rays, each of which takes so long, for which no more than `affordable` are traced;
+    /// `None` if that is too small to say anything.
+    pub(super) fn that_fits(rays: usize, affordable: usize, ray_time: Duration) -> Option<Self> {
         if affordable >= Self::Whole.traced_rays(rays) {
             return Some(Self::Whole);
         }
-        let timed = affordable / COST;
-        let largest = RAYS_PER_CALL.min(timed / WANTED_BLOCKS).max(SMALLEST_BLOCK);
-        let size = 1 << largest.ilog2();
-        let count = timed / size;
-        if count < FEWEST_BLOCKS || rays < FEWEST_BLOCKS * size {
+        let most = RAYS_PER_CALL.min(rays / FEWEST_BLOCKS);
+        if most < SMALLEST_BLOCK {
             return None;
         }
-        Some(Self::Blocks { size, count: 1 << count.ilog2() })
+        let in_that_time = WARMUP_TIME.as_nanos() / ray_time.as_nanos().max(1);
+        let in_that_time =
+            usize::try_from(in_that_time).map_or(WHOLE_WARMUP, |n| n.min(WHOLE_WARMUP));
+        let warmup = |size: usize| size.max(in_that_time).min(rays - size);
+        let fits = |size: &usize| WANTED_BLOCKS * (size + warmup(*size)) <= affordable;
+        // What is timed shall be no less than half of what warms up.
+        let least = (in_that_time / 2).clamp(SMALLEST_BLOCK, most);
+        let sizes = (least.ilog2()..=most.ilog2()).map(|power| 1 << power);
+        let size = sizes.rev().find(fits).unwrap_or(1 << least.ilog2());
+        let count = affordable / (size + warmup(size));
+        let blocks = || Self::Blocks { size, count: 1 << count.ilog2(), warmup: warmup(size) };
+        (count >= FEWEST_BLOCKS).then(blocks)
     }
 
     /// How many rays of `rays` a round times.
     pub(super) fn timed_rays(self, rays: usize) -> usize {
         match self {
             Self::Whole => rays,
-            Self::Blocks { size, count } => size * count,
+            Self::Blocks { size, count, .. } => size * count,
         }
     }
 
@@ -90,7 +101,7 @@ impl Sample {
     pub(super) fn traced_rays(self, rays: usize) -> usize {
         match self {
             Self::Whole => rays + rays.min(WHOLE_WARMUP),
-            Self::Blocks { .. } => COST * self.timed_rays(rays),
+            Self::Blocks { size, count, warmup } => (size + warmup) * count,
         }
     }
 
@@ -101,13 +112,14 @@ impl Sample {
                 let warmup = rays - rays.min(WHOLE_WARMUP)..rays;
                 vec![Block { warmup, timed: 0..rays }]
             }
-            Self::Blocks { size, count } => {
+            Self::Blocks { size, count, warmup } => {
                 let block = |stratum| {
                     let place = place(seed, round, count.ilog2(), stratum, rays);
                     // The block around the place, aligned, so that smaller blocks lie within larger ones.
                     let start = (place / size * size).min(rays - size);
-                    let before = if start >= size { start - size } else { rays - size };
-                    Block { warmup: before..before + size, timed: start..start + size }
+                    // The first blocks have not as many before them: the last rays warm them up.
+                    let before = if start >= warmup { start - warmup } else { rays - warmup };
+                    Block { warmup: before..before + warmup, timed: start..start + size }
                 };
                 (0..count).map(block).collect()
             }
@@ -152,23 +164,46 @@ mod tests {
 
     #[test]
     fn a_sample_fits_and_grows_by_blocks_then_by_their_size() {
-        let sample = |affordable| Sample::that_fits(RAYS, affordable);
+        let slow = Duration::from_millis(1);
+        let sample = |affordable| Sample::that_fits(RAYS, affordable, slow);
+        let blocks = |size, count| Some(Sample::Blocks { size, count, warmup: size });
         assert_eq!(sample(31), None);
-        assert_eq!(sample(32), Some(Sample::Blocks { size: 8, count: 2 }));
-        assert_eq!(sample(256), Some(Sample::Blocks { size: 8, count: 16 }));
-        assert_eq!(sample(2_048), Some(Sample::Blocks { size: 64, count: 16 }));
+        assert_eq!(sample(32), blocks(8, 2));
+        assert_eq!(sample(256), blocks(8, 16));
+        assert_eq!(sample(2_048), blocks(64, 16));
         let whole = Sample::Whole.traced_rays(RAYS);
         assert_eq!(whole, RAYS + WHOLE_WARMUP);
-        assert_eq!(sample(whole - 1), Some(Sample::Blocks { size: 1_024, count: 16 }));
+        assert_eq!(sample(whole - 1), blocks(1_024, 16));
         assert_eq!(sample(whole), Some(Sample::Whole));
-        assert_eq!(Sample::that_fits(10, 19), None, "fewer rays than two blocks");
-        assert_eq!(Sample::that_fits(10, 20), Some(Sample::Whole));
-        assert_eq!(Sample::that_fits(0, 0), Some(Sample::Whole));
+        assert_eq!(Sample::that_fits(10, 19, slow), None, "fewer rays than two blocks");
+        assert_eq!(Sample::that_fits(10, 20, slow), Some(Sample::Whole));
+        assert_eq!(Sample::that_fits(0, 0, slow), Some(Sample::Whole));
+    }
+
+    #[test]
+    fn a_fast_structure_warms_up_for_longer_than_a_block_and_is_timed_for_half_as_long() {
+        let sample = |affordable, nanoseconds| {
+            Sample::that_fits(RAYS, affordable, Duration::from_nanos(nanoseconds))
+        };
+        // Five microseconds a ray: 40 of them.
+        let expected = Sample::Blocks { size: 16, count: 16, warmup: 40 };
+        assert_eq!(sample(1_024, 5_000), Some(expected));
+        let expected = Sample::Blocks { size: 64, count: 16, warmup: 64 };
+        assert_eq!(sample(2_048, 5_000), Some(expected));
+        // A fifth of a microsecond: 1000 of them, before blocks of 256 at least.
+        let expected = Sample::Blocks { size: 256, count: 4, warmup: 1_000 };
+        assert_eq!(sample(10_000, 200), Some(expected));
+        let few = Sample::that_fits(600, 700, Duration::from_nanos(200));
+        assert_eq!(few, None, "two blocks of 256 and what warms them up");
+        for block in expected.draw(RAYS, 3, 7) {
+            let before = if block.timed.start < 1_000 { RAYS } else { block.timed.start };
+            assert_eq!(block.warmup, before - 1_000..before);
+        }
     }
 
     #[test]
     fn a_round_draws_one_block_from_each_stratum_and_warms_up_by_the_one_before() {
-        let sample = Sample::Blocks { size: 64, count: 16 };
+        let sample = Sample::Blocks { size: 64, count: 16, warmup: 64 };
         assert_eq!(sample.timed_rays(RAYS), 1_024);
         let blocks = sample.draw(RAYS, 3, 7);
         assert_eq!(blocks.len(), 16);
@@ -193,10 +228,10 @@ mod tests {
 
     #[test]
     fn the_blocks_of_a_smaller_sample_lie_within_those_of_a_larger_one() {
-        let larger = Sample::Blocks { size: 256, count: 32 }.draw(RAYS, 1, 2);
+        let larger = Sample::Blocks { size: 256, count: 32, warmup: 256 }.draw(RAYS, 1, 2);
         for smaller in [(256, 8), (8, 32), (32, 4)] {
             let (size, count) = smaller;
-            for block in (Sample::Blocks { size, count }).draw(RAYS, 1, 2) {
+            for block in (Sample::Blocks { size, count, warmup: 40 }).draw(RAYS, 1, 2) {
                 let within = |of: &Block| {
                     of.timed.start <= block.timed.start && of.timed.end >= block.timed.end
                 };
@@ -211,7 +246,7 @@ mod tests {
         let (rays, size, count) = (11 * 8, 8, 4);
         let mut drawn = [0_u32; 11];
         for round in 0..11_000 {
-            for block in (Sample::Blocks { size, count }).draw(rays, 9, round) {
+            for block in (Sample::Blocks { size, count, warmup: 8 }).draw(rays, 9, round) {
                 drawn[block.timed.start / size] += 1;
             }
         }

@@ -63,8 +63,9 @@ pub(super) fn round_shares(works: &[Work], rule: &RoundRule, time: Duration) -> 
     let share = |(time, work): (Duration, &Work)| {
         let time = time.max(LEAST_ROUND);
         let affordable = affordable(Some(work.ray_time), time);
-        let timed = Sample::that_fits(work.rays, affordable);
-        let counted = Sample::that_fits(work.rays, affordable.saturating_mul(COUNTED_ROUNDS));
+        let sample = |affordable| Sample::that_fits(work.rays, affordable, work.ray_time);
+        let timed = sample(affordable);
+        let counted = sample(affordable.saturating_mul(COUNTED_ROUNDS));
         RoundShare {
             time,
             samples: timed.zip(counted).map(|(timed, counted)| Samples { timed, counted }),
@@ -171,7 +172,7 @@ impl Sample {
     pub(super) fn record(self, rays: usize) -> Option<BlockSample> {
         match self {
             Self::Whole => None,
-            Self::Blocks { size, count } => Some(BlockSample {
+            Self::Blocks { size, count, .. } => Some(BlockSample {
                 blocks: count as u64,
                 rays_per_block: size as u64,
                 of_rays: rays as u64,

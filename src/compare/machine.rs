@@ -55,6 +55,7 @@ pub(super) fn build_of_program() -> Run {
     Run {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         commit: commit(),
+        sources: option_env!("SRT_SOURCES").map(str::to_owned),
         compiler: noted(option_env!("SRT_COMPILER")),
         profile: noted(option_env!("SRT_PROFILE")),
         flags: noted(option_env!("SRT_FLAGS")),

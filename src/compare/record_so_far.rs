@@ -46,8 +46,9 @@ impl<'a> RecordSoFar<'a> {
         let general = general_notes();
         let old_notes = before.notes().iter().filter(|note| !general.contains(note));
         comparison.notes.extend(old_notes.cloned());
-        if let Some(date) = before.date() {
-            let now = std::mem::replace(&mut comparison.run.date, date.to_owned());
+        if let Some(begun) = before.run() {
+            let now = std::mem::replace(&mut comparison.run.date, begun.date.clone());
+            comparison.run.machine.load_at_start = begun.machine.load_at_start;
             comparison
                 .notes
                 .push(format!("The comparison was stopped, and gone on with at {now}."));
@@ -122,7 +123,8 @@ impl<'a> RecordSoFar<'a> {
 
 fn general_notes() -> Vec<String> {
     vec![
-        "Rays were replayed on one thread, in calls of 1024 as a renderer's waves send them."
+        "Rays were replayed on one thread, in calls of 1024 as a renderer's waves send them, or of a \
+         block where these are smaller."
             .into(),
         "The rays of a scene are the same whatever the budget. A structure that had no time for all \
          of them in every round traced a random, stratified sample of blocks of consecutive rays, \

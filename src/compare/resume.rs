@@ -1,9 +1,13 @@
 //! Going on with a comparison that was stopped: what of its record is still true, part by part.
 
+use std::collections::BTreeMap;
+
 use thiserror::Error;
 
 use super::plan::{Plan, SceneInput};
-use crate::record::{Comparison, Run, SamplingChapter, SceneRecord, Sweep};
+use super::ray_exchange::record_of;
+use crate::ray_file::RayFile;
+use crate::record::{Comparison, Conformance, Run, SamplingChapter, SceneRecord, Sweep};
 
 /// The name of the study of sampling among the parts that are done.
 pub(super) const STUDY: &str = "sampling study";
@@ -39,7 +43,11 @@ pub fn expect_same(
             ("commit", run.commit.clone().unwrap_or_default()),
             ("compiler", run.compiler.clone()),
             ("build profile", format!("{} {}", run.profile, run.flags).trim_end().to_owned()),
+            ("fingerprint of the sources", run.sources.clone().unwrap_or_default()),
             ("processor", run.machine.cpu.clone()),
+            ("instruction set", run.machine.instruction_set.clone()),
+            ("number of cores", run.machine.cores.to_string()),
+            ("system", run.machine.os.clone()),
             ("number of threads", run.options.threads.to_string()),
             ("command", command(&run.command)),
         ]
@@ -55,18 +63,33 @@ pub fn expect_same(
 /// What was measured before.
 pub(super) struct Before<'a> {
     record: Option<&'a Comparison>,
+    replayed: &'a BTreeMap<String, RayFile>,
 }
 
 impl<'a> Before<'a> {
     /// What the plan goes on with.
     pub(super) fn of(plan: &'a Plan) -> Self {
-        Self { record: plan.resumed.as_ref() }
+        Self { record: plan.resumed.as_ref(), replayed: &plan.replayed }
     }
 
-    /// A scene that is done and has not changed.
+    /// A scene that is done and has not changed, nor have the rays that are read from a file.
     pub(super) fn scene(&self, input: &SceneInput) -> Option<&'a SceneRecord> {
         let scenes = &self.done(&input.name)?.scenes;
-        scenes.iter().find(|scene| scene.name == input.name && scene.hash == input.hash)
+        let is_same = |scene: &&SceneRecord| {
+            let file = self.replayed.get(&input.name);
+            let rays = scene.rays.as_ref().filter(|rays| rays.replayed);
+            scene.name == input.name
+                && scene.hash == input.hash
+                && file.map(|file| record_of(file, true)).as_ref() == rays
+        };
+        scenes.iter().find(is_same)
+    }
+
+    /// What the check of conformance showed, if it came to its end: of the same structures, since the command is the
+    /// same.
+    pub(super) fn conformance(&self) -> Option<&'a [Conformance]> {
+        let record = self.record.filter(|record| !record.run.done.is_empty())?;
+        Some(&record.conformance)
     }
 
     /// The sweep, if it is done.
@@ -84,9 +107,9 @@ impl<'a> Before<'a> {
         self.record.map_or(&[], |record| &record.notes)
     }
 
-    /// When it was begun.
-    pub(super) fn date(&self) -> Option<&'a str> {
-        self.record.map(|record| record.run.date.as_str())
+    /// How it was begun.
+    pub(super) fn run(&self) -> Option<&'a Run> {
+        self.record.map(|record| &record.run)
     }
 
     /// How many seconds were spent on it.
@@ -120,5 +143,10 @@ mod tests {
         assert_eq!(other, expected);
         let other = same(&old, &run("srt compare a.sce", "y")).unwrap_err();
         assert_eq!(other, "it was begun with another processor: `x`, not `y`");
+        let mut narrow = old.clone();
+        narrow.machine.instruction_set = "portable".to_owned();
+        assert!(same(&old, &narrow).unwrap_err().contains("another instruction set"));
+        let edited = Run { sources: Some("0123".to_owned()), ..old.clone() };
+        assert!(same(&old, &edited).unwrap_err().contains("another fingerprint of the sources"));
     }
 }

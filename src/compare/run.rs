@@ -108,7 +108,11 @@ pub fn run(
     let mut comparison = Comparison::new(describe(plan), base);
     let before = Before::of(plan);
     let mut parts = Parts::new(plan, observer, &before);
-    comparison.conformance = check_conformance(structures, &pools, parts.budget, observer);
+    // A comparison that is gone on with is of the same program: what was found then, holds for what is left.
+    comparison.conformance = match before.conformance() {
+        Some(checked) => checked.to_vec(),
+        None => check_conformance(structures, &pools, parts.budget, observer),
+    };
     let checked = comparison.conformance.clone();
     let mut record = RecordSoFar::new(plan, comparison, observer, &before, start);
     for place in cheapest_first(&plan.scenes) {

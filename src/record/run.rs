@@ -15,6 +15,10 @@ pub struct Run {
     pub version: String,
     /// The commit that it was built from, with `-dirty` appended if the sources had changed since; absent if not known.
     pub commit: Option<String>,
+    /// SHA-256 of the names and contents of the sources that it was built from, hexadecimal: a commit does not tell two
+    /// builds with changed sources apart. Absent if not known, and in older records.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sources: Option<String>,
     /// The compiler and its version.
     pub compiler: String,
     /// The build profile (`release`, `dev`).

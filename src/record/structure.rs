@@ -35,6 +35,12 @@ impl StructureRecord {
     pub fn class(&self, class: RayClass) -> Option<&ClassRecord> {
         self.classes.iter().find(|record| record.class == class)
     }
+
+    /// Whether it failed, maybe after some measurements.
+    #[must_use]
+    pub fn has_failed(&self) -> bool {
+        matches!(self.status, Status::Failed { .. })
+    }
 }
 
 /// Whether a structure was measured over a scene.

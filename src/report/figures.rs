@@ -71,7 +71,7 @@ pub(super) fn builds_by_scene(looks: &Looks, report: &Report<'_>) -> Option<Plot
     };
     LanePlot {
         title: "All scenes: builds".to_owned(),
-        label: "build, all threads (logarithmic)".to_owned(),
+        label: "build, one thread (logarithmic)".to_owned(),
         units: TIME,
         ..lanes(looks, report, value)?
     }
@@ -189,10 +189,11 @@ pub(super) fn pareto(looks: &Looks, scene: &SceneFigures) -> Option<Plot> {
     XyPlot {
         title: format!("{}: build against trace", scene.scene),
         meaning:
-            "Each structure's build time and the time of the picture's mean ray. Less is better \
-                  in both. The dotted line is the Pareto front."
+            "Each structure's build time and the time of the picture's mean ray, both on one thread. \
+                  Less is better in both. The dotted line is the Pareto front: what no other dominates \
+                  as far as intervals tell them apart."
                 .to_owned(),
-        x: Ends::logarithmic("build, all threads (logarithmic)", TIME),
+        x: Ends::logarithmic("build, one thread (logarithmic)", TIME),
         y: Ends::logarithmic("mean ray of the picture (logarithmic)", TIME),
         series: series.collect(),
         path: stairs(&front),
@@ -239,7 +240,7 @@ pub(super) fn break_even(looks: &Looks, scene: &SceneFigures) -> Option<Plot> {
     });
     XyPlot {
         title: format!("{}: when a slower build pays off", scene.scene),
-        meaning: "Build and rays together against the number of the picture's mean rays. A ring \
+        meaning: "Build and rays together on one thread, against the number of the picture's mean rays. A ring \
                   marks where a structure and the base have taken the same time."
             .to_owned(),
         x: Ends::logarithmic("rays (logarithmic)", COUNT),
@@ -255,7 +256,7 @@ pub(super) fn break_even(looks: &Looks, scene: &SceneFigures) -> Option<Plot> {
 fn rays_of(when: BreakEven) -> Option<f64> {
     match when {
         BreakEven::After { rays } | BreakEven::Until { rays } => Some(rays),
-        BreakEven::Always | BreakEven::Never => None,
+        BreakEven::Always | BreakEven::Never | BreakEven::NotToldApart => None,
     }
 }
 

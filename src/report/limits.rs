@@ -6,28 +6,31 @@ use crate::analysis::{Analysis, ClassFigures, SceneFigures};
 use crate::record::Comparison;
 
 /// How times were measured and how far they carry, in every report.
-const ALWAYS: [&str; 8] = [
+const ALWAYS: [&str; 9] = [
     "Times are those of this machine on this day. Ratios between structures carry over to other \
      machines better than times do, but not exactly.",
     "Rays were recorded once for each class and replayed to every structure in interleaved rounds. \
      So ratios do not include what slows all structures alike. A replay only traces: it does not \
      shade or make new rays, and its caches are warm.",
-    "Where each round traced all recorded rays, the estimate is the median; where each round traced a \
-     random sample, it is the mean, and its interval includes the choice of the rays. Intervals are \
+    "Where each round traced all recorded rays, the estimate is the geometric mean of the passes' \
+     medians; where each round traced a random sample, it is the mean of the rounds, and its interval \
+     includes the choice of the rays. Intervals are \
      Student's, of the logarithm, from the differences between passes: pieces of the measurement that \
      are apart in time, for each of which the structures were built anew. So they include what the \
      place in memory and the minutes of this run do, and what is stated to differ between runs, not \
      the effect of another build of the program or of another machine.",
     "Intervals of builds and pictures are exact intervals of medians by order statistics, widened by \
      the same statement. They assume \
-     independent rounds, but consecutive rounds are not quite independent, and rounds end once \
-     intervals are narrow: both make them a little too narrow.",
+     independent rounds, but consecutive rounds are not quite independent. Rounds and passes, those of \
+     rays too, end once intervals are narrow. Both make intervals a little too narrow.",
+    "The verdict's comparison is the most certain of all pairs of structures and classes of rays. Its \
+     interval is widened so that the intervals of all of them hold together with 95 % (Bonferroni).",
     "Times of rays are wall times without waiting for a processor that other programs used. All \
      rounds count. The effects of other programs on caches, memory and clock rate are still \
      included. Times of builds and pictures are wall times.",
-    "Every structure here gives equal hits bit for bit, by one formula and one rule for ties. That \
-     costs each structure some speed, and some structures more than others.",
-    "Break-even points hold for rays like the picture's mean ray. Other views and lights have other \
+    "srt's own structures give equal hits bit for bit, by one formula and one rule for ties. That \
+     costs each of them some speed, and some more than others. Peers have formulas of their own.",
+    "Break-even points are those of one thread: builds on one thread against rays on one thread. They hold for rays like the picture's mean ray. Other views and lights have other \
      break-even points.",
     "The structures were written or adapted by the authors of this program, who may know some of \
      them better than others.",
@@ -96,7 +99,7 @@ fn round_limits(comparison: &Comparison, analysis: &Analysis) -> Vec<String> {
     let what = [
         "had to wait for the processor: their wall time is more than 1.1 times their own time (†)",
         "are estimates from samples of the recorded rays",
-        "have too few rounds for an interval",
+        "have too few passes for an interval",
         "have a wider interval than the target",
     ];
     let some = counts.into_iter().zip(what).filter(|(n, _)| *n > 0);
@@ -133,13 +136,19 @@ pub(super) fn weaknesses(report: &Report<'_>) -> Option<String> {
     let sampled = count(&classes, ClassFigures::is_sampled);
     let disturbed = count(&classes, ClassFigures::is_disturbed);
     let load = comparison.run.machine.load_at_start.map(|load| load[0]).filter(|load| *load > BUSY);
+    let points = || analysis.sweeps.iter().flat_map(|sweep| &sweep.curves).flat_map(|c| &c.values);
+    let unsupported_points = points().filter(|own| !own.ns_per_ray.supports_a_statement()).count();
     let parts: Vec<String> = [
         comparison.run.partial.then(|| "the comparison was stopped early".to_owned()),
         load.map(|load| format!("the machine was busy at the start (load {load:.2})")),
         (disturbed > 0)
             .then(|| format!("{disturbed} of {all} measurements had to wait for the processor")),
         (unsupported > 0).then(|| {
-            format!("{unsupported} of {all} ratios have too few rounds or too wide an interval")
+            format!("{unsupported} of {all} ratios have too few passes or too wide an interval")
+        }),
+        (unsupported_points > 0).then(|| {
+            let all = points().count();
+            format!("{unsupported_points} of {all} times of sweeps have too few passes or too wide an interval")
         }),
         (sampled > 0)
             .then(|| format!("{sampled} of {all} measurements are of samples of the rays")),

@@ -223,6 +223,7 @@ fn break_even_in_words(point: BreakEven) -> String {
     match point {
         BreakEven::Always => "always".to_owned(),
         BreakEven::Never => "never".to_owned(),
+        BreakEven::NotToldApart => "not told apart".to_owned(),
         BreakEven::After { rays } => format!("from {} rays a frame on", numbers::about(rays)),
         BreakEven::Until { rays } => format!("up to {} rays a frame", numbers::about(rays)),
     }

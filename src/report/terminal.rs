@@ -107,7 +107,10 @@ fn scene_table(scene: &SceneRecord, figures: &SceneFigures) -> Table {
     let classes = figures.classes();
     let mut heads = vec!["structure".to_owned()];
     heads.extend(classes.iter().map(|class| format!("#{}", class.name())));
-    heads.extend(["#× base", "#build", "#memory", "#picture", "proof"].map(str::to_owned));
+    // One class's ratio is enough for a line; the report has those of all.
+    let of_class = classes.first().map_or_else(String::new, |class| format!(", {}", class.name()));
+    heads.push(format!("#× base{of_class}"));
+    heads.extend(["#build", "#memory", "#picture", "proof"].map(str::to_owned));
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
     let mut table = Table::new("", "", &heads);
     let rows = scene.structures.iter().zip(&figures.structures).map(|(record, own)| {

@@ -1,10 +1,12 @@
 //! The comparison in one plain sentence.
 
 use super::{Report, numbers};
-use crate::analysis::{Analysis, Finding, SceneFigures, StructureFigures, SweepFigures};
+use crate::analysis::{
+    Analysis, Finding, SceneFigures, StructureFigures, SweepFigures, SweepValue,
+};
 use crate::record::{
-    Comparison, Conformance, ConformanceOutcome, Proof, SceneRecord, Status, StructureProof,
-    StructureRecord,
+    Comparison, Conformance, ConformanceOutcome, Proof, RayClass, SceneRecord, Status,
+    StructureProof,
 };
 
 /// How many scenes without a whole proof are named; further ones are counted.
@@ -30,7 +32,10 @@ pub(super) fn headline(report: &Report<'_>) -> (String, Option<String>) {
     let growth = || analysis.sweeps.iter().find_map(growth);
     let speed = match &analysis.finding {
         Some(finding) => found(finding),
-        None if comparison.scenes.is_empty() => growth().unwrap_or_else(nothing_traced),
+        None if comparison.scenes.is_empty() => growth().unwrap_or_else(|| {
+            let traced = analysis.sweeps.iter().any(|sweep| !sweep.curves.is_empty());
+            if traced { too_few() } else { nothing_traced() }
+        }),
         None => nothing_found(analysis),
     };
     let equality = equality(comparison);
@@ -90,7 +95,7 @@ fn failures(comparison: &Comparison) -> Option<String> {
 
 /// The best supported finding, in words.
 fn found(finding: &Finding) -> String {
-    let Finding { faster, slower, class, ratio, lowest, highest, scenes, rays } = finding;
+    let Finding { faster, slower, class, ratio, lowest, highest, scenes, rays, .. } = finding;
     let place = match &scenes[..] {
         [scene] => format!("in {scene}"),
         many => format!(
@@ -102,16 +107,20 @@ fn found(finding: &Finding) -> String {
     };
     let class = class.name();
     let rays = format!("{} rays", numbers::count(*rays));
-    let spread = numbers::spread(*ratio).unwrap_or_default();
+    let spread = match ratio.interval {
+        // Rounding must not take away what the sentence says.
+        Some(own) if own.low > 1.0 && numbers::figures(own.low) == numbers::figures(1.0) => {
+            format!("{:.4}–{:.4}", own.low, own.high)
+        }
+        _ => numbers::spread(*ratio).unwrap_or_default(),
+    };
     let value = numbers::value(*ratio);
+    let times = format!("{value}\u{a0}× (95\u{a0}%\u{a0}{spread})");
     if finding.is_certain() {
-        format!(
-            "{faster} traces {class} rays {value}\u{a0}× (95\u{a0}%\u{a0}{spread}) as fast as {slower}, {place}, by {rays}"
-        )
+        format!("{faster} traces {class} rays {times} as fast as {slower}, {place}, by {rays}")
     } else {
         format!(
-            "{faster} and {slower} trace {class} rays equally fast within the error: {value}\u{a0}× \
-             (95\u{a0}%\u{a0}{spread}), {place}, by {rays}"
+            "{faster} and {slower} are not told apart by {class} rays: {times}, {place}, by {rays}"
         )
     }
 }
@@ -121,7 +130,7 @@ fn nothing_found(analysis: &Analysis) -> String {
     let traced = |structure: &&StructureFigures| !structure.classes.is_empty();
     let several = |scene: &SceneFigures| scene.structures.iter().filter(traced).count() > 1;
     if analysis.scenes.iter().any(several) {
-        "the rounds are too few, or their intervals too wide, for any statement".to_owned()
+        too_few()
     } else if analysis.scenes.iter().any(|scene| scene.base.is_some()) {
         "no two structures traced the same rays".to_owned()
     } else {
@@ -129,24 +138,44 @@ fn nothing_found(analysis: &Analysis) -> String {
     }
 }
 
+fn too_few() -> String {
+    "the passes are too few, or their intervals too wide, for any statement".to_owned()
+}
+
 fn nothing_traced() -> String {
     "nothing was traced".to_owned()
 }
 
-/// The fastest structure at the largest size of a sweep, and how its cost grows.
+/// The fastest structure at the largest size of a sweep at which any supports a statement, and how its cost grows.
+/// `None` if there is none.
 fn growth(sweep: &SweepFigures) -> Option<String> {
-    let class = sweep.classes().into_iter().next()?;
-    let ends = sweep.curves.iter().filter(|curve| curve.class == class);
-    let ends = ends.filter_map(|curve| Some((curve, curve.values.last()?)));
-    let (curve, end) = ends.min_by(|(_, a), (_, b)| {
-        let time = a.ns_per_ray.value.total_cmp(&b.ns_per_ray.value);
-        b.triangles.cmp(&a.triangles).then(time)
-    })?;
+    let supported = |value: &&SweepValue| value.ns_per_ray.supports_a_statement();
+    let of_class = |class: RayClass| {
+        let curves = sweep.curves.iter().filter(move |curve| curve.class == class);
+        curves.filter_map(|curve| Some((curve, curve.values.iter().rfind(supported)?)))
+    };
+    let class = sweep.classes().into_iter().find(|&class| of_class(class).next().is_some())?;
+    let largest = of_class(class).map(|(_, end)| end.triangles).max()?;
+    let mut ends: Vec<_> = of_class(class).filter(|(_, end)| end.triangles == largest).collect();
+    ends.sort_by(|(_, a), (_, b)| a.ns_per_ray.value.total_cmp(&b.ns_per_ray.value));
+    let (curve, end) = *ends.first()?;
     let slope = curve.fit.map_or_else(String::new, |fit| {
         format!("; its cost grows with the power {:.2} of the number of {}", fit.slope, sweep.unit)
     });
+    let upper = end.ns_per_ray.interval?.high;
+    let reaches = |own: &SweepValue| own.ns_per_ray.interval.is_some_and(|i| i.low <= upper);
+    let alike: Vec<&str> = ends[1..]
+        .iter()
+        .filter(|(_, own)| reaches(own))
+        .map(|(curve, _)| curve.structure.as_str())
+        .collect();
+    let rank = match (ends.len(), alike.as_slice()) {
+        (1, _) => String::new(),
+        (_, []) => " fastest".to_owned(),
+        (_, alike) => format!(" fastest, but is not told apart from {}", alike.join(", ")),
+    };
     Some(format!(
-        "{} traces {} rays of {} with {} {} fastest, in {} each{slope}",
+        "{} traces {} rays of {} with {} {}{rank}, in {} each{slope}",
         curve.structure,
         class.name(),
         sweep.mesh,
@@ -218,8 +247,7 @@ fn unproved(scene: &SceneRecord) -> Option<String> {
         return Some(format!("{} (nothing to compare it with)", scene.name));
     }
     let (mut without, mut smaller) = (Vec::new(), Vec::new());
-    let failed = |row: &&StructureRecord| matches!(row.status, Status::Failed { .. });
-    for structure in scene.structures.iter().filter(|row| !failed(row)) {
+    for structure in scene.structures.iter().filter(|row| !row.has_failed()) {
         let entry = scene.proof.as_ref().and_then(|proof| proof.structure(&structure.name));
         match entry.map(|entry| (entry.picture_equal, entry.picture_hash.is_some())) {
             Some((Some(true), true)) => {}

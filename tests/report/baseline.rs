@@ -73,6 +73,9 @@ fn what_cannot_be_compared_is_a_doubt() {
     new.scenes[1].structures[3].classes[0].rays += 1;
     let mut old = sample::full();
     old.scenes[1].structures[1].classes.remove(0);
+    let mut shadow = old.scenes[1].structures[3].classes[1].clone();
+    shadow.class = RayClass::Shadow;
+    old.scenes[1].structures[0].classes.push(shadow);
     let baseline = compare(&old, &new, 0.1);
     let changes = &baseline.outcome;
     let doubts = [changes.warnings.join("\n"), changes.doubts.join("\n")].join("\n");
@@ -80,7 +83,9 @@ fn what_cannot_be_compared_is_a_doubt() {
         "The processor was Example CPU <16 & more> @ 2.60GHz and is another.",
         "The scene bunny has changed and is not compared.",
         "The baseline has no view rays of hall with ball.",
-        "The baseline measured bvh in hall; the new run did not.",
+        "The baseline measured view, shadow, mirror, refraction, diffuse, random rays of hall with bvh; \
+         the new run did not.",
+        "The baseline measured shadow rays of hall with none; the new run did not.",
         "307201 view rays of hall with cwbvh were recorded, 307200 in the baseline",
     ] {
         assert!(doubts.contains(doubt), "{doubt} is not among\n{doubts}");

@@ -6,6 +6,7 @@
 //! saw itself by the sum of squares: an evaluation of type B in the terms of JCGM 100:2008, *Guide to the expression of
 //! uncertainty in measurement*, 4.3 and 5.1.
 
+use super::risk::Risk;
 use crate::record::{Estimate, Interval};
 
 /// Half the width of a normal distribution's 95 % interval, in standard deviations.
@@ -20,7 +21,14 @@ impl BetweenRuns {
     /// The same estimate with an interval for any run. One without an interval gets none: too little was seen.
     #[must_use]
     pub fn widen(self, estimate: Estimate) -> Estimate {
-        let reach = |end: f64| (end / estimate.value).ln().hypot(NORMAL * self.0).exp();
+        self.widen_at(estimate, Risk::USUAL)
+    }
+
+    /// The same for an interval of another risk.
+    #[must_use]
+    pub fn widen_at(self, estimate: Estimate, risk: Risk) -> Estimate {
+        let allowance = risk.normal() * self.0;
+        let reach = |end: f64| (end / estimate.value).ln().hypot(allowance).exp();
         let interval = estimate.interval.filter(|_| self.0 > 0.0).map(|own| Interval {
             low: estimate.value / reach(own.low),
             high: estimate.value * reach(own.high),

@@ -1,5 +1,6 @@
 //! The median of some rounds and its confidence interval.
 
+use super::risk::Risk;
 use crate::math::Random;
 use crate::record::{Estimate, Interval};
 
@@ -22,29 +23,35 @@ pub fn median(values: &[f64]) -> Option<f64> {
 /// The median of values and its interval. `None` without values, or if one is not finite.
 #[must_use]
 pub fn estimate(values: &[f64]) -> Option<Estimate> {
+    estimate_at(values, Risk::USUAL)
+}
+
+/// The same with an interval of another risk.
+pub(super) fn estimate_at(values: &[f64], risk: Risk) -> Option<Estimate> {
     let median = median(values)?;
-    Some(Estimate { value: median, interval: order_interval(values), rounds: values.len() })
+    Some(Estimate { value: median, interval: order_interval(values, risk), rounds: values.len() })
 }
 
 /// The exact interval of the median, for any distribution: from the k-th smallest to the k-th largest value (H. A.
 /// David, H. N. Nagaraja: *Order Statistics*, 3rd edition, section 7.1). The median lies below the k-th smallest value
-/// with the probability that fewer than k of n fair coins show heads; k is the largest number with at most 2.5 %.
-fn order_interval(values: &[f64]) -> Option<Interval> {
+/// with the probability that fewer than k of n fair coins show heads; k is the largest number with at most the risk of
+/// an end.
+fn order_interval(values: &[f64], risk: Risk) -> Option<Interval> {
     let n = values.len();
-    let k = outermost(n)?;
+    let k = outermost(n, risk.of_an_end())?;
     let mut sorted = values.to_vec();
     sorted.sort_unstable_by(f64::total_cmp);
     Some(Interval { low: sorted[k - 1], high: sorted[n - k] })
 }
 
 /// The largest k of [`order_interval`]; `None` if there is none.
-fn outermost(n: usize) -> Option<usize> {
+fn outermost(n: usize, of_an_end: f64) -> Option<usize> {
     // Logarithms: 2⁻ⁿ underflows for more than a thousand values.
     let (mut ln_term, mut below) = (-(n as f64) * std::f64::consts::LN_2, 0.0);
     let mut k = 0;
     while k < n {
         below += ln_term.exp();
-        if below > 0.025 {
+        if below > of_an_end {
             break;
         }
         k += 1;
@@ -125,9 +132,10 @@ mod tests {
     fn the_interval_ends_at_the_places_of_the_tables() {
         let places = [(5, None), (6, Some(1)), (8, Some(1)), (9, Some(2)), (12, Some(3))];
         for (n, k) in places.into_iter().chain([(20, Some(6)), (50, Some(18)), (100, Some(40))]) {
-            assert_eq!(outermost(n), k, "{n}");
+            assert_eq!(outermost(n, 0.025), k, "{n}");
         }
-        assert!(outermost(5_000).is_some_and(|k| (2_425..2_436).contains(&k)));
+        assert_eq!((outermost(10, 0.001), outermost(9, 0.001)), (Some(1), None));
+        assert!(outermost(5_000, 0.025).is_some_and(|k| (2_425..2_436).contains(&k)));
         let values: Vec<f64> = (1..=20).rev().map(f64::from).collect();
         let interval = estimate(&values).unwrap().interval;
         assert_eq!(interval, Some(Interval { low: 6.0, high: 15.0 }));

@@ -9,6 +9,7 @@ mod growth;
 mod interpolate;
 mod ratio;
 mod replicates;
+mod risk;
 mod tradeoff;
 
 pub use between_runs::{BetweenRuns, NORMAL};
@@ -17,4 +18,5 @@ pub use growth::{PowerLaw, log_log_fit};
 pub use interpolate::log_log_interpolate;
 pub use ratio::{paired_ratio, unpaired_ratio};
 pub use replicates::{Center, Rounds, ratio_of_estimates, unpaired_ratio_of_estimates};
-pub use tradeoff::{BreakEven, Cost, break_even, million_per_second, pareto_front};
+pub use risk::Risk;
+pub use tradeoff::{BreakEven, Cost, break_even, million_per_second};

@@ -1,25 +1,30 @@
 //! Rounds as replicates of one measurement: the value that they estimate, for the whole of what they sampled.
 //!
 //! Where each round measured everything, the rounds differ by the noise of the machine alone, and their median is the
-//! estimate. Where each round drew a random sample of its own, the rounds are independent replicates whose mean is
-//! unbiased for the whole, while a median is not. The differences between such rounds contain both the machine's noise
-//! and what the choice of the sample adds, so an interval from the rounds includes both. This is the method of
-//! independent random groups (K. M. Wolter: *Introduction to Variance Estimation*, 2nd edition, 2007, chapter 2), each
-//! of them a stratified random sample (W. G. Cochran: *Sampling Techniques*, 3rd edition, 1977, chapter 5).
+//! estimate, which a disturbed round does not move. Where each round drew a random sample of its own, the rounds are
+//! independent replicates whose mean is unbiased for the whole, while a median is not. The differences between such
+//! rounds contain both the machine's noise and what the choice of the sample adds, so an interval from the rounds
+//! includes both. This is the method of independent random groups (K. M. Wolter: *Introduction to Variance Estimation*,
+//! 2nd edition, 2007, chapter 2), each of them a stratified random sample (W. G. Cochran: *Sampling Techniques*, 3rd
+//! edition, 1977, chapter 5).
 //!
 //! Rounds that follow each other are not independent: they share the clock rate and the neighbours of that moment, and
 //! the place in memory where a structure was built. So rounds come in passes, apart in time and each with structures
 //! built anew, and where there are passes, these are the replicates: an interval comes from the differences between
 //! them, as T. Kalibera and R. Jones advise (*Rigorous benchmarking in reasonable time*, ISMM 2013) for levels of
-//! repetition. A few passes over skewed samples may happen to agree, all of them without the rare costly rays. So where
-//! rounds are samples, they are looked at as replicates too, and the larger of both standard errors counts.
+//! repetition. Of rounds that measured everything, the estimate is then the geometric mean of the passes' medians: the
+//! centre of what the interval is made of. (The median of all rounds is not: where passes fall into two groups, it lies
+//! within one of them.) A few passes over skewed samples may happen to agree, all of them without the rare costly rays.
+//! So where rounds are samples, they are looked at as replicates too, and the larger of both standard errors counts.
 //!
 //! A ratio is that of two such estimates. Its interval is the textbook's for a ratio estimator (Cochran, chapter 6):
 //! Student's, from the residues of rounds of the same number, whose common part cancels. It is taken for the logarithm,
-//! since a time cannot be negative.
+//! since a time cannot be negative. Where one of both is a mean over samples, the other is a mean, too: the few slow
+//! rounds that a machine has are in both, or the ratio would favour the one whose median leaves them out.
 
-use super::estimate::{all_finite, estimate, median};
-use super::ratio::{paired_ratio, unpaired_ratio};
+use super::estimate::{all_finite, estimate, estimate_at, median};
+use super::ratio::unpaired_ratio;
+use super::risk::Risk;
 use crate::record::{Estimate, Interval};
 
 /// The least number of replicates from which an interval is made: the spread of three values is itself hardly known.
@@ -47,24 +52,23 @@ pub struct Rounds {
 }
 
 impl Rounds {
-    /// The estimated value. `None` without values, or if one is not finite.
-    #[must_use]
-    pub fn value(&self) -> Option<f64> {
-        match self.center {
-            Center::Median => median(&self.values),
-            Center::Mean => all_finite(&self.values).then(|| mean(&self.values)).flatten(),
-        }
-    }
-
     /// The value and its interval. `None` without values, or if one is not finite.
     #[must_use]
     pub fn estimate(&self) -> Option<Estimate> {
         if self.is_plain() {
             return estimate(&self.values);
         }
-        let value = self.value()?;
-        let residues: Vec<f64> = self.values.iter().map(|own| own / value - 1.0).collect();
-        Some(self.with_student_interval(value, &residues, self.center))
+        if !all_finite(&self.values) {
+            return None;
+        }
+        match self.center {
+            Center::Median => self.of_passes(&self.values, Risk::USUAL),
+            Center::Mean => {
+                let value = mean(&self.values)?;
+                let residues: Vec<f64> = self.values.iter().map(|own| own / value - 1.0).collect();
+                Some(self.of_samples(value, &residues, Risk::USUAL))
+            }
+        }
     }
 
     /// Whether each round is a replicate of everything: then there is an exact interval of the median.
@@ -72,38 +76,49 @@ impl Rounds {
         self.center == Center::Median && self.passes.is_empty()
     }
 
-    /// A value with Student's interval of its logarithm. `residues` are the relative errors of the rounds; those of a
-    /// pass are one error, their median or mean.
-    fn with_student_interval(&self, value: f64, residues: &[f64], center: Center) -> Estimate {
-        let rounds = residues.len();
+    /// The geometric mean of the medians of the passes, for values of these rounds. `None` without values.
+    fn of_passes(&self, values: &[f64], risk: Risk) -> Option<Estimate> {
+        let logarithm = |pass: &[f64]| median(pass).map(f64::ln);
+        let logarithms = self.each_pass(values, logarithm);
+        let value = mean(&logarithms)?.exp();
+        let reach = reach(&logarithms, standard_error(&logarithms), risk);
+        Some(with_interval(value, reach, values.len()))
+    }
+
+    /// The value of rounds that are samples. `residues` are their relative errors, whose means are those of passes.
+    fn of_samples(&self, value: f64, residues: &[f64], risk: Risk) -> Estimate {
         let replicates = match self.passes.as_slice() {
             [] => residues.to_vec(),
-            passes => errors_of_passes(residues, passes, center),
+            _ => self.each_pass(residues, mean),
         };
         // Each round drew a sample of its own: what the choice adds is seen better in all rounds than in few passes.
-        let of_rounds = if center == Center::Mean { standard_error(residues) } else { None };
-        let reach = standard_error(&replicates)
-            .map(|error| error.max(of_rounds.unwrap_or(0.0)))
-            .map(|error| (student_quantile(replicates.len() - 1) * error).exp());
-        let interval = reach
-            .filter(|reach| reach.is_finite() && value.is_finite())
-            .map(|reach| Interval { low: value / reach, high: value * reach });
-        Estimate { value, interval, rounds }
+        let of_rounds = standard_error(residues).unwrap_or(0.0);
+        let error = standard_error(&replicates).map(|error| error.max(of_rounds));
+        with_interval(value, reach(&replicates, error, risk), residues.len())
+    }
+
+    /// A value for each pass. Rounds beyond the given ones are left out, as are passes without any.
+    fn each_pass(&self, of_rounds: &[f64], value: impl Fn(&[f64]) -> Option<f64>) -> Vec<f64> {
+        let mut left = of_rounds;
+        let mut of_pass = |&rounds: &usize| {
+            let (own, rest) = left.split_at(rounds.min(left.len()));
+            left = rest;
+            value(own)
+        };
+        self.passes.iter().filter_map(&mut of_pass).collect()
     }
 }
 
-/// The error of each pass. Rounds beyond the residues are left out, as are passes without any.
-fn errors_of_passes(residues: &[f64], passes: &[usize], center: Center) -> Vec<f64> {
-    let mut left = residues;
-    let mut error = |&rounds: &usize| {
-        let (own, rest) = left.split_at(rounds.min(left.len()));
-        left = rest;
-        match center {
-            Center::Median => median(own),
-            Center::Mean => mean(own),
-        }
-    };
-    passes.iter().filter_map(&mut error).collect()
+/// The factor by which an interval of a logarithm reaches up and down, by the error of the mean of replicates.
+fn reach(replicates: &[f64], error: Option<f64>, risk: Risk) -> Option<f64> {
+    error.map(|error| (risk.student(replicates.len() - 1) * error).exp())
+}
+
+fn with_interval(value: f64, reach: Option<f64>, rounds: usize) -> Estimate {
+    let interval = reach
+        .filter(|reach| reach.is_finite() && value.is_finite())
+        .map(|reach| Interval { low: value / reach, high: value * reach });
+    Estimate { value, interval, rounds }
 }
 
 /// How many times as fast as the base: the base's estimate over the own one, for rounds that were interleaved.
@@ -111,20 +126,21 @@ fn errors_of_passes(residues: &[f64], passes: &[usize], center: Center) -> Vec<f
 /// Rounds that only one of both has are left out of a median's ratios and of the interval. `None` if one has no value,
 /// or if the ratio is not finite.
 #[must_use]
-pub fn ratio_of_estimates(base: &Rounds, own: &Rounds) -> Option<Estimate> {
+pub fn ratio_of_estimates(base: &Rounds, own: &Rounds, risk: Risk) -> Option<Estimate> {
     let values = || base.values.iter().zip(&own.values);
     if base.center == Center::Median && own.center == Center::Median {
-        let plain = paired_ratio(&base.values, &own.values)?;
-        if own.is_plain() {
-            return Some(plain);
-        }
-        let residues: Vec<f64> = values().map(|(b, o)| b / o / plain.value - 1.0).collect();
-        return Some(own.with_student_interval(plain.value, &residues, Center::Median));
+        let ratios: Vec<f64> = values().map(|(base, own)| base / own).collect();
+        return match own.is_plain() {
+            true => estimate_at(&ratios, risk),
+            false if all_finite(&ratios) => own.of_passes(&ratios, risk),
+            false => None,
+        };
     }
-    let (base_value, own_value) = (base.value()?, own.value()?);
-    let ratio = base_value / own_value;
-    let residues: Vec<f64> = values().map(|(b, o)| b / base_value - o / own_value).collect();
-    ratio.is_finite().then(|| own.with_student_interval(ratio, &residues, Center::Mean))
+    let finite_mean = |rounds: &Rounds| mean(&rounds.values).filter(|mean| mean.is_finite());
+    let (of_base, of_own) = (finite_mean(base)?, finite_mean(own)?);
+    let ratio = of_base / of_own;
+    let residues: Vec<f64> = values().map(|(b, o)| b / of_base - o / of_own).collect();
+    ratio.is_finite().then(|| own.of_samples(ratio, &residues, risk))
 }
 
 /// The same for rounds that were not interleaved, such as those of two runs.
@@ -158,24 +174,6 @@ fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }
 
-/// The 97.5 % quantile of Student's distribution: the expansion in the normal quantile of Abramowitz, Stegun:
-/// *Handbook of Mathematical Functions*, 26.7.5, within 0.3 % from three degrees of freedom on.
-fn student_quantile(degrees: usize) -> f64 {
-    const NORMAL: f64 = 1.959_963_984_540_054;
-    let (x, n) = (NORMAL, degrees as f64);
-    let terms = [
-        (x.powi(3) + x) / 4.0,
-        (5.0 * x.powi(5) + 16.0 * x.powi(3) + 3.0 * x) / 96.0,
-        (3.0 * x.powi(7) + 19.0 * x.powi(5) + 17.0 * x.powi(3) - 15.0 * x) / 384.0,
-        (79.0 * x.powi(9) + 776.0 * x.powi(7) + 1_482.0 * x.powi(5)
-            - 1_920.0 * x.powi(3)
-            - 945.0 * x)
-            / 92_160.0,
-    ];
-    let of_term = |(term, power): (&f64, i32)| term / n.powi(power);
-    x + terms.iter().zip(1..).map(of_term).sum::<f64>()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -187,15 +185,6 @@ mod tests {
 
     fn medians(values: &[f64]) -> Rounds {
         Rounds { values: values.to_vec(), center: Center::Median, passes: Vec::new() }
-    }
-
-    #[test]
-    fn quantiles_are_those_of_the_tables() {
-        let tables = [(3, 3.182), (4, 2.776), (5, 2.571), (9, 2.262), (30, 2.042), (400, 1.966)];
-        for (degrees, quantile) in tables {
-            let own = student_quantile(degrees);
-            assert!((own / quantile - 1.0).abs() < 0.004, "{degrees}: {own}");
-        }
     }
 
     #[test]
@@ -213,7 +202,7 @@ mod tests {
     fn what_two_samples_share_cancels_in_their_ratio() {
         let own = means(&[1.0, 4.0, 2.0, 8.0, 5.0]);
         let base = means(&[3.0, 12.0, 6.0, 24.0, 15.0]);
-        let ratio = ratio_of_estimates(&base, &own).unwrap();
+        let ratio = ratio_of_estimates(&base, &own, Risk::USUAL).unwrap();
         let interval = ratio.interval.unwrap();
         assert!((ratio.value - 3.0).abs() < 1e-12);
         assert!((interval.high / interval.low - 1.0).abs() < 1e-12, "{interval:?}");
@@ -222,11 +211,53 @@ mod tests {
     }
 
     #[test]
-    fn a_ratio_to_a_whole_is_that_of_mean_and_median() {
-        let ratio = ratio_of_estimates(&means(&[8.0, 12.0, 8.0, 12.0]), &medians(&[2.0; 4]));
-        assert_eq!(ratio.unwrap().value, 5.0);
-        assert_eq!(ratio_of_estimates(&means(&[1.0; 4]), &medians(&[0.0; 4])), None);
-        assert_eq!(ratio_of_estimates(&means(&[]), &medians(&[1.0; 4])), None);
+    fn a_ratio_to_a_whole_is_that_of_two_means() {
+        let ratio = |base: &[f64], own: &[f64]| {
+            ratio_of_estimates(&means(base), &medians(own), Risk::USUAL).map(|own| own.value)
+        };
+        assert_eq!(ratio(&[8.0, 12.0, 8.0, 12.0], &[2.0; 4]), Some(5.0));
+        assert_eq!(ratio(&[8.0, 12.0, 8.0, 12.0], &[1.0, 1.0, 1.0, 5.0]), Some(5.0));
+        assert_eq!(ratio(&[1.0; 4], &[0.0; 4]), None);
+        assert_eq!(ratio(&[], &[1.0; 4]), None);
+    }
+
+    #[test]
+    fn an_interval_that_is_one_of_many_is_wider() {
+        let own = Rounds { passes: vec![1; 5], ..medians(&[1.0, 1.1, 0.9, 1.0, 1.0]) };
+        let base = Rounds { passes: vec![1; 5], ..medians(&[2.0; 5]) };
+        let width = |risk| {
+            let ratio = ratio_of_estimates(&base, &own, risk).unwrap();
+            ratio.interval.map(|own| (own.high / own.low).ln()).unwrap()
+        };
+        let factor = width(Risk::USUAL.shared_by(50)) / width(Risk::USUAL);
+        assert!((factor - 8.610 / 2.776).abs() < 1e-2, "{factor}");
+    }
+
+    /// Passes of two groups, as places in memory make them: the median of all rounds lies within one of them.
+    #[test]
+    fn the_interval_is_that_of_its_centre() {
+        let mut random = Random::new(&[8]);
+        let (mut covered, mut of_medians) = (0, 0);
+        for _ in 0..1_000 {
+            let slow = |random: &mut Random| if random.next_f32() < 0.5 { 1.0 } else { 1.1 };
+            let values: Vec<f64> = (0..12)
+                .flat_map(|_| {
+                    let place = slow(&mut random);
+                    [place, place * (1.0 + 0.01 * f64::from(random.next_f32()))]
+                })
+                .collect();
+            let all = median(&values).unwrap();
+            let rounds = Rounds { values, center: Center::Median, passes: vec![2; 12] };
+            let estimate = rounds.estimate().unwrap();
+            let interval = estimate.interval.unwrap();
+            let truth = (1.0_f64 * 1.1).sqrt() * 1.0025;
+            let covers = |shift: f64| {
+                usize::from(interval.low * shift <= truth && truth <= interval.high * shift)
+            };
+            covered += covers(1.0);
+            of_medians += covers(all / estimate.value);
+        }
+        assert!(covered > 930 && of_medians < 500, "{covered}, {of_medians} of 1000");
     }
 
     #[test]
@@ -248,7 +279,7 @@ mod tests {
             // What both share cancels in the ratio.
             let twice =
                 Rounds { values: values.iter().map(|v| 2.0 * v).collect(), ..rounds.clone() };
-            let ratio = ratio_of_estimates(&twice, &rounds).unwrap();
+            let ratio = ratio_of_estimates(&twice, &rounds, Risk::USUAL).unwrap();
             assert!((ratio.value - 2.0).abs() < 1e-12, "{ratio:?}");
             assert!(ratio.relative_half_width().unwrap() < 1e-12, "{ratio:?}");
             let unpaired = unpaired_ratio_of_estimates(&twice, &rounds).unwrap();

@@ -36,6 +36,8 @@ pub enum BreakEven {
     },
     /// Never: neither its build nor its rays cost less.
     Never,
+    /// The interval of the ratio of their rays contains 1.
+    NotToldApart,
 }
 
 /// From how many rays on `own` is faster than `base`: the n with `own.build + n·own.ray = base.build + n·base.ray`. Of
@@ -51,20 +53,6 @@ pub fn break_even(own: Cost, base: Cost) -> BreakEven {
         (false, false) if build < 0.0 => BreakEven::Always,
         _ => BreakEven::Never,
     }
-}
-
-/// The Pareto front: the points that no other point dominates, if less is better in both coordinates. They are given as
-/// indices, by growing first coordinate. Of equal points all are on the front; points with a NaN never are.
-#[must_use]
-pub fn pareto_front(points: &[(f64, f64)]) -> Vec<usize> {
-    let dominates =
-        |a: (f64, f64), b: (f64, f64)| a.0 <= b.0 && a.1 <= b.1 && (a.0 < b.0 || a.1 < b.1);
-    let mut front: Vec<usize> = (0..points.len())
-        .filter(|&i| !points[i].0.is_nan() && !points[i].1.is_nan())
-        .filter(|&i| !points.iter().any(|&other| dominates(other, points[i])))
-        .collect();
-    front.sort_by(|&a, &b| points[a].0.total_cmp(&points[b].0));
-    front
 }
 
 #[cfg(test)]
@@ -93,13 +81,5 @@ mod tests {
         assert_eq!(break_even(cost(500.0, 10.0), base), BreakEven::Never);
         assert_eq!(break_even(cost(500.0, 12.0), base), BreakEven::Never);
         assert_eq!(break_even(base, base), BreakEven::Never);
-    }
-
-    #[test]
-    fn the_front_is_what_nothing_dominates() {
-        let points = [(3.0, 1.0), (1.0, 3.0), (2.0, 2.0), (3.0, 2.0), (2.0, 4.0), (f64::NAN, 0.0)];
-        assert_eq!(pareto_front(&points), [1, 2, 0]);
-        assert_eq!(pareto_front(&[(1.0, 1.0), (1.0, 1.0)]), [0, 1]);
-        assert!(pareto_front(&[]).is_empty());
     }
 }

@@ -14,7 +14,7 @@ pub(in crate::report) fn baseline_table(baseline: &Baseline) -> Table {
     table.rows = slower.map(|change| row(change, "SLOWER")).collect();
     table.rows.extend(faster.map(|change| row(change, "faster")));
     table.note = format!(
-        "{} of {} changed by more than {} at 95 % confidence: the whole bootstrap interval lies \
+        "{} of {} changed by more than {} at 95 % confidence: the whole interval of the ratio lies \
          beyond that. {}",
         table.rows.len(),
         numbers::things(outcome.changes.len() as u64, "measurement"),

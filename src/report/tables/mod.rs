@@ -26,7 +26,6 @@ pub(super) use scene::{
 pub(super) use stages::stage_table;
 
 use super::numbers::{self, NOTHING};
-use crate::analysis::statistics::INTERVAL_ROUNDS;
 use crate::record::Estimate;
 
 /// A table with a title.
@@ -76,9 +75,9 @@ impl Table {
 /// What is shown in place of a number whose interval supports no statement.
 const TOO_WIDE: &str = "too wide";
 
-/// What is shown in place of an interval if there were too few rounds.
-fn too_few(estimate: Estimate) -> Option<String> {
-    (estimate.rounds < INTERVAL_ROUNDS).then(|| NOTHING.to_owned())
+/// The interval of a measurement, or what is shown in its place where there were too few rounds or passes for one.
+fn spread_or_dash(spread: Option<String>) -> Option<String> {
+    spread.or_else(|| Some(NOTHING.to_owned()))
 }
 
 impl Cell {
@@ -101,7 +100,7 @@ impl Cell {
     fn estimate(estimate: Option<Estimate>) -> Self {
         estimate.map_or_else(Self::nothing, |estimate| Self {
             text: numbers::value(estimate),
-            spread: numbers::spread(estimate).or_else(|| too_few(estimate)),
+            spread: spread_or_dash(numbers::spread(estimate)),
         })
     }
 
@@ -116,11 +115,19 @@ impl Cell {
         }
     }
 
+    /// The same of a number that may be interpolated between measurements, and has no interval then.
+    fn interpolated_or_measured(estimate: Option<Estimate>) -> Self {
+        estimate.map_or_else(Self::nothing, |estimate| Self {
+            text: numbers::value(estimate),
+            spread: numbers::spread(estimate),
+        })
+    }
+
     /// Value and interval of a time in nanoseconds.
     fn time(estimate: Option<Estimate>) -> Self {
         estimate.map_or_else(Self::nothing, |estimate| {
             let (text, spread) = numbers::time_estimate(estimate);
-            Self { text, spread: spread.or_else(|| too_few(estimate)) }
+            Self { text, spread: spread_or_dash(spread) }
         })
     }
 }

@@ -80,6 +80,10 @@ fn noise(title: &str, note: &str, pairing: Pairing, noise: &[NoiseFigures]) -> T
         "#Rounds",
     ];
     let mut table = Table::new(title, note, &heads);
+    let number = match pairing {
+        Pairing::EqualSamples => Cell::estimate,
+        Pairing::EqualTime => Cell::interpolated_or_measured,
+    };
     let row = |figures: &NoiseFigures| {
         vec![
             Cell::text(&figures.scene),
@@ -87,8 +91,8 @@ fn noise(title: &str, note: &str, pairing: Pairing, noise: &[NoiseFigures]) -> T
             Cell::text(samples(figures.pixel_samples)),
             Cell::text(figures.light_samples.to_string()),
             Cell::time(Some(figures.ns)),
-            Cell::estimate(Some(figures.rmse)),
-            Cell::estimate(figures.ratio),
+            number(Some(figures.rmse)),
+            number(figures.ratio),
             Cell::text(figures.rmse.rounds.to_string()),
         ]
     };

@@ -233,13 +233,17 @@ fn ray_note(figures: &SceneFigures) -> String {
     let base = figures.base.as_deref().unwrap_or("none");
     let mut note = format!(
         "Estimates for all recorded rays, each with its 95 % interval, or – if there were too few \
-         rounds. “× base” is how many times as fast as {base} the structure is: the ratio of the \
+         passes for one. “× base” is how many times as fast as {base} the structure is: the ratio of the \
          estimates. ns/ray does not include waiting for a processor that other programs used."
     );
     let all = || figures.structures.iter().flat_map(|structure| &structure.classes);
     if all().any(ClassFigures::is_sampled) {
         note += " “a of b” rays: each round traced a random sample, drawn anew, and the interval \
                  includes the choice of the sample.";
+    }
+    if all().any(|class| class.counted_share.is_some_and(|share| share < 1.0)) {
+        note += " ≈ marks tests that were counted on a sample of the rays; hits are those of the structure \
+                 that was counted on the most.";
     }
     let estimates = |class: &ClassFigures| [class.million_rays_per_second, class.speedup];
     if all().flat_map(estimates).flatten().any(|own| !own.supports_a_statement()) {
@@ -277,14 +281,20 @@ fn ray_row(structure: Cell, class: &ClassFigures) -> Vec<Cell> {
                 .then(|| format!("of {}", numbers::whole(class.recorded_rays))),
         },
         Cell::of(class.hit_share, numbers::percent),
-        Cell::of(class.boxes_per_ray, numbers::figures),
-        Cell::of(class.primitives_per_ray, numbers::figures),
+        counted(class, class.boxes_per_ray),
+        counted(class, class.primitives_per_ray),
         Cell::of(class.ns_per_ray, |estimate| estimate.rounds.to_string()),
         Cell::of(class.disturbance, |disturbance| {
             let mark = if class.is_disturbed() { " †" } else { "" };
             format!("{}{mark}", numbers::figures(disturbance))
         }),
     ]
+}
+
+/// Tests of a ray, marked where they are those of a sample.
+fn counted(class: &ClassFigures, per_ray: Option<f64>) -> Cell {
+    let mark = if class.counted_share.is_some_and(|share| share < 1.0) { "≈ " } else { "" };
+    Cell::of(per_ray, |tests| format!("{mark}{}", numbers::figures(tests)))
 }
 
 /// What the processor counted; without rows if the system did not permit it.
@@ -325,8 +335,10 @@ pub(in crate::report) fn picture_table(scene: &SceneRecord, figures: &SceneFigur
         "Faster than the base",
     ];
     let note = format!(
-        "All threads. The last column is the number of the picture's mean rays from which on a \
-         structure is faster than {}, build included.",
+        "All threads. A build here follows a rendering, which has left little of the structure's in the \
+         caches, and takes longer than the builds of the table of structures, which follow each other. \
+         The last column is for one thread, by these builds: the number of the picture's mean rays from \
+         which on a structure is faster than {}, build included, as far as intervals tell them apart.",
         figures.base.as_deref().unwrap_or("the base")
     );
     let mut table = Table::new("Time to the picture", note, &heads);
@@ -353,5 +365,6 @@ fn break_even(when: BreakEven) -> String {
         BreakEven::After { rays } => format!("after {} rays", numbers::about(rays)),
         BreakEven::Until { rays } => format!("only for the first {} rays", numbers::about(rays)),
         BreakEven::Never => "never".to_owned(),
+        BreakEven::NotToldApart => "not told apart".to_owned(),
     }
 }

@@ -21,6 +21,7 @@ fn run() -> Run {
         date: "2026-03-14T15:09:26+01:00".to_owned(),
         version: "0.1.0".to_owned(),
         commit: Some("b103d88f2c51".to_owned()),
+        sources: Some("5ace".repeat(16)),
         compiler: "rustc 1.91.0".to_owned(),
         profile: "release".to_owned(),
         flags: String::new(),
