@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::exit::{CommandResult, Exit, Failure};
+use super::inputs::refuse_to_replace;
 use super::part_args::AssembleArguments;
 use super::picture::PictureTarget;
 use super::terminal::print_message;
-use super::work::same_file;
 use crate::assets::read_file;
 use crate::film::{Division, Film, Share};
 use crate::part_file::{Kind, Origin, PartFile};
@@ -20,12 +20,9 @@ const MOST_NAMED: usize = 20;
 /// Puts parts together.
 pub(super) fn run(arguments: &AssembleArguments) -> CommandResult {
     let target = PictureTarget::new(&arguments.output, &arguments.picture)?;
-    if let Some(part) = arguments.parts.iter().find(|part| same_file(part, &target.output)) {
-        return Err(Failure::new(format_args!(
-            "the picture would replace the part `{}`",
-            part.display()
-        )));
-    }
+    let refuse =
+        |part: &PathBuf| refuse_to_replace(&target.output, "the picture", "the part", part);
+    arguments.parts.iter().try_for_each(refuse)?;
     let picture = Parts::survey(&arguments.parts)?;
     let settings = &picture.origin.settings;
     target.check_tone(settings.view)?;

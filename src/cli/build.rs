@@ -6,11 +6,12 @@ use std::time::Instant;
 use super::args::BuildArguments;
 use super::exit::{CommandResult, Exit, Failure};
 use super::fingerprint;
+use super::inputs::{refuse_to_replace, refuse_to_replace_a_mesh};
 use super::load::{Described, LoadError, SceneFile, print_load_error};
 use super::origin::{program, scene_hash};
 use super::output::Output;
 use super::terminal::print_message;
-use super::work::{build_config, pool_of, same_file, threads};
+use super::work::{build_config, pool_of, threads};
 use crate::built_file::BuiltScene;
 use crate::report::numbers;
 use crate::scene::SaveError;
@@ -30,10 +31,7 @@ pub(super) fn run(arguments: &BuildArguments) -> CommandResult {
             "a built scene does not print well on a terminal: redirect standard output, or name a file",
         ));
     }
-    if same_file(path, &output) {
-        let path = path.display();
-        return Err(Failure::new(format_args!("the file would replace the scene `{path}`")));
-    }
+    refuse_to_replace(&output, "the file", "the scene", path)?;
     let pool = pool_of(threads(arguments.threads)?)?;
     let start = Instant::now();
     let (file, described) = match pool.install(|| described(arguments)) {
@@ -44,6 +42,7 @@ pub(super) fn run(arguments: &BuildArguments) -> CommandResult {
         }
     };
     let loaded = &described.loaded;
+    refuse_to_replace_a_mesh(&output, "the file", loaded)?;
     if !quiet && !loaded.warnings.is_empty() {
         print_message(&loaded.warnings);
     }

@@ -5,6 +5,8 @@ use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Duration;
 
 use super::exit::Failure;
+use super::inputs::refuse_to_replace_a_mesh;
+use super::load::Loaded;
 use super::output::{Output, OutputError};
 use super::picture::PictureTarget;
 use super::terminal::print_warning;
@@ -49,6 +51,11 @@ impl CheckpointFile {
             ));
         }
         Ok(Self { path, output, interval, resume })
+    }
+
+    /// Refuses to replace a mesh of the scene.
+    pub(crate) fn refuse_to_replace_a_mesh(&self, loaded: &Loaded) -> Result<(), Failure> {
+        refuse_to_replace_a_mesh(&self.output, "the checkpoint", loaded)
     }
 
     /// As it was typed.

@@ -13,7 +13,9 @@ use super::load::{Described, SceneFile, print_load_error};
 use super::mesh_scene::NamedMesh;
 use super::output::print;
 use super::ray_files::{self, RayFolder};
-use super::result_folder::{ResultFolder, encoded, pictures_in, read_record};
+use super::result_folder::{
+    ResultFolder, encoded, pictures_in, read_record, refuse_to_replace_the_baseline,
+};
 use super::terminal::{print_error, print_message};
 use crate::analysis::baseline;
 use crate::compare::{self, ComparisonResult, SceneInput};
@@ -23,16 +25,20 @@ use crate::sealed::hexadecimal;
 
 /// Compares, writes the report and prints its table.
 pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> CommandResult {
+    if let (Some(baseline), Some(out)) = (&arguments.baseline, &arguments.out) {
+        refuse_to_replace_the_baseline(out, baseline)?;
+    }
     let old = arguments.baseline.as_deref().map(read_record).transpose()?;
     let Some(scenes) = load_all(arguments)? else { return Ok(Exit::Trouble) };
-    let replayed = ray_files::read_for(&arguments.rays, &scenes)?;
+    let replayed = ray_files::read_for(&arguments.rays, &scenes, &arguments.classes)?;
+    let mut plan = plan(arguments, scenes, replayed);
+    compare::check_plan(&plan, &arguments.structures()).map_err(Failure::new)?;
     let rays = arguments.save_rays.as_deref();
-    let rays = rays.map(|path| RayFolder::prepare(path, &scenes)).transpose()?;
+    let rays = rays.map(|path| RayFolder::prepare(path, &plan.scenes)).transpose()?;
     let folder = match &arguments.out {
         Some(out) => ResultFolder::prepare(out)?,
         None => ResultFolder::claim(Path::new("results"), &default_name(&arguments.scenes))?,
     };
-    let mut plan = plan(arguments, scenes, replayed);
     if arguments.resume {
         plan.resumed = folder.resumable(&plan)?;
     }
@@ -47,6 +53,9 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Comman
     let result = interrupt.cancellable(|| compare::run(&plan, &arguments.structures(), &progress));
     drop(progress);
     let mut result = result.map_err(Failure::new)?;
+    let Some(folder) = folder_of_result(folder, &result.comparison, arguments.quiet)? else {
+        return Ok(interrupt.exit());
+    };
     result.comparison.baseline =
         old.map(|old| baseline::compare(&old, &result.comparison, arguments.fail_above));
     let report = Report::new(&result.comparison);
@@ -75,6 +84,41 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Comman
         );
     }
     Ok(if partial { interrupt.exit() } else { exit(fine, unrelated || warned.is_some()) })
+}
+
+/// The folder of a report. One that is there already is not replaced where a comparison was interrupted before a part of
+/// it was done: what was measured gets a new folder beside it, and `None` is returned if that is nothing.
+fn folder_of_result(
+    folder: ResultFolder,
+    comparison: &Comparison,
+    quiet: bool,
+) -> Result<Option<ResultFolder>, Failure> {
+    let run = &comparison.run;
+    if !run.partial || !run.done.is_empty() || !folder.has_report() {
+        return Ok(Some(folder));
+    }
+    let older = folder.path().display();
+    if !has_measured(comparison) {
+        print_error(format_args!(
+            "interrupted before anything was measured: the report in `{older}` is the older one"
+        ));
+        return Ok(None);
+    }
+    if !quiet {
+        print_message(format_args!(
+            "interrupted before a part was done: the older report in `{older}` is left as it is"
+        ));
+    }
+    folder.beside("partial").map(Some)
+}
+
+/// Whether any rays were timed.
+fn has_measured(comparison: &Comparison) -> bool {
+    let Comparison { scenes, sweeps, sampling, .. } = comparison;
+    let mut structures = scenes.iter().flat_map(|scene| &scene.structures);
+    structures.any(|own| !own.classes.is_empty())
+        || sweeps.iter().any(|sweep| !sweep.points.is_empty())
+        || sampling.is_some()
 }
 
 /// How a whole comparison ends: wrong results weigh more than a baseline that shows nothing.

@@ -124,6 +124,9 @@ pub(crate) struct CompareArguments {
     pub(crate) sampling_study: bool,
 
     /// The folder to write [default: results/<date>-<scene>]
+    ///
+    /// A report that is there already is replaced, but not before a scene, sweep or study of the new
+    /// one is done: what is interrupted earlier is written into a new folder, DIR-partial.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 

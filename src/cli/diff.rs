@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::args::DiffArguments;
 use super::exit::{CommandResult, Exit, Failure};
+use super::inputs::refuse_to_replace;
 use super::output::{Output, prepare_picture, print};
 use super::terminal::print_message;
 use crate::assets::read_file;
@@ -15,6 +16,11 @@ use crate::image_io::{Difference, Format, Picture, compare, decode, difference_p
 pub(super) fn run(arguments: &DiffArguments) -> CommandResult {
     // The place of the result is checked before the work.
     let output = arguments.output.as_deref().map(|path| prepare_picture(path, None)).transpose()?;
+    if let Some((output, _)) = &output {
+        for compared in [&arguments.a, &arguments.b] {
+            refuse_to_replace(output, "the picture of the difference", "the picture", compared)?;
+        }
+    }
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
     let compared = compare(&a, &b);
     if !arguments.quiet && !output.as_ref().is_some_and(|(output, _)| output.is_stdout()) {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::source::{self, Built, Rest, Source, SourceError};
 use super::terminal::{print_error, print_message};
-use super::{diagnose, terminal};
+use super::{diagnose, fingerprint, terminal};
 use crate::assets::{
     AssetError, LoadedMeshes, MeshData, MeshFiles, MeshLoader, Problem, available_memory,
     check_meshes,
@@ -28,6 +28,8 @@ pub(crate) struct Loaded {
     pub(crate) scene: Scene,
     /// Warnings, as text without a last line end; empty if there are none.
     pub(crate) warnings: String,
+    /// The files of meshes that were read for it.
+    pub(crate) mesh_files: Vec<PathBuf>,
     /// The structure that was built over it, if it is from a built scene.
     pub(crate) built: Option<SavedStructure>,
 }
@@ -128,6 +130,7 @@ impl SceneFile {
             frame,
             scene,
             warnings: String::new(),
+            mesh_files: Vec::new(),
             built: Some(SavedStructure {
                 path: self.path.clone(),
                 structure: built.structure.clone(),
@@ -166,9 +169,10 @@ impl SceneFile {
         match compile(&written, meshes, &options) {
             Ok((parsed, scene)) => {
                 let warnings = say(&parsed.warnings);
+                let mesh_files = self.source.paths(fingerprint::files(&parsed.description));
                 let text = written.into_owned();
                 Ok(Described {
-                    loaded: Loaded { text, frame, scene, warnings, built: None },
+                    loaded: Loaded { text, frame, scene, warnings, mesh_files, built: None },
                     keyed_frames: parsed.keyed_frames,
                     description: parsed.description,
                 })

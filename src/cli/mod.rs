@@ -21,6 +21,7 @@
 //! | `check.rs`, `diff.rs`, `mesh.rs`, `accels.rs` | smaller ones |
 //! | `completions.rs`, `man.rs` | the subcommands that print the definition in other forms |
 //! | `output/` | where results go, whole or not at all |
+//! | `inputs.rs` | what is read, and not replaced by a result |
 //! | `ray_files.rs` | the files of rays of a comparison |
 //! | `result_folder.rs`, `fingerprint.rs` | the files of a comparison; the hash of a scene's files |
 //! | `terminal.rs`, `interrupt.rs`, `progress.rs`, `compare_progress.rs` | the terminal |
@@ -53,6 +54,7 @@ mod exit;
 mod figures;
 mod fingerprint;
 mod frames;
+mod inputs;
 mod interrupt;
 mod inventory;
 mod load;

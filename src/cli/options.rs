@@ -4,6 +4,8 @@
 use super::checkpoint::CheckpointFile;
 use super::exit::Failure;
 use super::frames::{FrameRange, path_of_picture};
+use super::inputs::refuse_to_replace_a_mesh;
+use super::load::Loaded;
 use super::output::Output;
 use super::picture::PictureTarget;
 use super::refine::Refinement;
@@ -77,6 +79,13 @@ impl RenderOptions {
             picture,
             work,
         })
+    }
+
+    /// Refuses a picture or a checkpoint that would replace a mesh of the scene.
+    pub(crate) fn refuse_to_replace_a_mesh(&self, loaded: &Loaded) -> Result<(), Failure> {
+        let checkpoint = self.refinement.as_ref().and_then(|own| own.checkpoint.as_ref());
+        refuse_to_replace_a_mesh(&self.picture.output, "the output", loaded)?;
+        checkpoint.map_or(Ok(()), |checkpoint| checkpoint.refuse_to_replace_a_mesh(loaded))
     }
 
     /// The settings of the renderer: what was typed, and the scene's options where nothing was.

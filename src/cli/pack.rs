@@ -10,12 +10,12 @@ use sha2::{Digest, Sha256};
 use super::args::PackArguments;
 use super::exit::{CommandResult, Exit, Failure};
 use super::fingerprint;
+use super::inputs::{refuse_to_replace, refuse_to_replace_a_mesh};
 use super::load::{SceneFile, print_load_error};
 use super::mesh_scene::NamedMesh;
 use super::output::Output;
 use super::source::{Source, folder_of, is_stdin};
 use super::terminal::print_message;
-use super::work::same_file;
 use crate::pack::{Located, Pack, locate};
 use crate::report::numbers;
 use crate::sealed::hexadecimal;
@@ -29,10 +29,7 @@ pub(super) fn run(arguments: &PackArguments) -> CommandResult {
             "a pack does not print well on a terminal: redirect standard output, or name a file",
         ));
     }
-    if same_file(path, &output) {
-        let path = path.display();
-        return Err(Failure::new(format_args!("the pack would replace the scene `{path}`")));
-    }
+    refuse_to_replace(&output, "the pack", "the scene", path)?;
     let mut file = match SceneFile::read(path, *lenient) {
         Ok(file) => file,
         Err(error) => {
@@ -53,6 +50,7 @@ pub(super) fn run(arguments: &PackArguments) -> CommandResult {
             return Ok(Exit::Trouble);
         }
     };
+    refuse_to_replace_a_mesh(&output, "the pack", &described.loaded)?;
     if !quiet && !described.loaded.warnings.is_empty() {
         print_message(&described.loaded.warnings);
     }

@@ -5,6 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use super::exit::{CommandResult, Exit, Failure};
+use super::inputs::refuse_to_replace_a_mesh;
 use super::interrupt::Interrupt;
 use super::load::Loaded;
 use super::origin::origin;
@@ -36,6 +37,7 @@ pub(super) fn run(arguments: PartArguments, interrupt: &Interrupt) -> CommandRes
     work.refuse_to_replace_the_scene(&output)?;
     let pool = work.pool()?;
     let Some(loaded) = work.load(&pool) else { return Ok(Exit::Trouble) };
+    refuse_to_replace_a_mesh(&output, "the part", &loaded)?;
     work.adopt(&loaded)?;
     let settings = work.settings(&loaded.scene, false)?;
     let start = Instant::now();

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::clipping::ClippingWarning;
 use super::exit::Failure;
-use super::output::{Output, prepare_picture};
+use super::output::{Output, OutputError, prepare_picture};
 use super::render_args::PictureArguments;
 use super::terminal::{print_message, print_warning};
 use crate::image_io::{Format, Tone, encode};
@@ -33,7 +33,13 @@ pub(crate) struct Remarks {
 impl PictureTarget {
     /// Checks the place, and the format.
     pub(crate) fn new(path: &Path, typed: &PictureArguments) -> Result<Self, Failure> {
-        let (output, format) = prepare_picture(path, typed.format)?;
+        let (output, format) =
+            prepare_picture(path, typed.format).map_err(|error| match error {
+                OutputError::UnknownFormat { .. } => {
+                    Failure::new(format_args!("{error}; or choose a format with --format"))
+                }
+                _ => error.into(),
+            })?;
         let tone = Tone { exposure: typed.exposure, curve: typed.tone_curve };
         Ok(Self { output, format, tone })
     }

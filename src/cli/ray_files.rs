@@ -9,6 +9,7 @@ use super::output::{Output, make_folder};
 use crate::assets::read_file;
 use crate::compare::{SceneInput, wrong_answers};
 use crate::ray_file::{EXTENSION, RayFile};
+use crate::record::RayClass;
 use crate::sealed::hexadecimal;
 
 /// Reads a file of rays.
@@ -21,10 +22,12 @@ pub(super) fn read(path: &Path) -> Result<RayFile, Failure> {
 }
 
 /// Reads the rays of scenes, a file for each in their order, by the scenes' names. Rays for another geometry are
-/// refused, and so are answers that are not those of this program.
+/// refused, and so are answers that are not those of this program, and files without rays of the classes that are
+/// wanted; all classes are, if none is named.
 pub(super) fn read_for(
     paths: &[PathBuf],
     scenes: &[SceneInput],
+    wanted: &[RayClass],
 ) -> Result<BTreeMap<String, RayFile>, Failure> {
     if !paths.is_empty() && paths.len() != scenes.len() {
         return Err(Failure::new(format_args!(
@@ -35,10 +38,31 @@ pub(super) fn read_for(
     }
     let one = |(path, scene): (&PathBuf, &SceneInput)| {
         let file = read(path)?;
+        expect_rays(path, &file, wanted)?;
         check(path, &file, scene)?;
         Ok((scene.name.clone(), file))
     };
     paths.iter().zip(scenes).map(one).collect()
+}
+
+fn expect_rays(path: &Path, file: &RayFile, wanted: &[RayClass]) -> Result<(), Failure> {
+    let path = path.display();
+    let classes = || file.classes.iter().filter(|own| !own.rays.is_empty()).map(|own| own.class);
+    if classes().next().is_none() {
+        return Err(Failure::new(format_args!("the rays `{path}`: it has none to measure")));
+    }
+    if wanted.is_empty() || classes().any(|class| wanted.contains(&class)) {
+        return Ok(());
+    }
+    let names = |classes: &[RayClass], last: &str| {
+        let names: Vec<&str> = classes.iter().map(|class| class.name()).collect();
+        names.join(last)
+    };
+    Err(Failure::new(format_args!(
+        "the rays `{path}`: it has no {} rays; it has: {}",
+        names(wanted, " or "),
+        names(&classes().collect::<Vec<_>>(), ", "),
+    )))
 }
 
 fn check(path: &Path, file: &RayFile, input: &SceneInput) -> Result<(), Failure> {

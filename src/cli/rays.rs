@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use super::exit::{CommandResult, Exit, Failure};
+use super::inputs::{refuse_to_replace, refuse_to_replace_a_mesh};
 use super::load::{load, print_load_error};
 use super::output::{Output, print};
 use super::ray_files::read;
@@ -59,6 +60,7 @@ fn row(own: &ClassRays) -> Vec<Cell> {
 /// Writes a class in another program's form.
 fn export(arguments: &ExportArguments) -> CommandResult {
     let output = Output::prepare(&arguments.output)?;
+    refuse_to_replace(&output, "the output", "the rays", &arguments.file)?;
     let file = read(&arguments.file)?;
     let own = chosen(arguments, &file)?;
     let name = arguments.format.name();
@@ -105,7 +107,13 @@ fn chosen<'a>(arguments: &ExportArguments, file: &'a RayFile) -> Result<&'a Clas
 /// Reads another program's rays, traces them, and writes them.
 fn import(arguments: &ImportArguments) -> CommandResult {
     let output = Output::prepare(&arguments.output)?;
+    refuse_to_replace(&output, "the output", "the rays", &arguments.input)?;
+    refuse_to_replace(&output, "the output", "the scene", &arguments.scene)?;
     let rays = foreign_rays(arguments)?;
+    if rays.is_empty() {
+        let path = arguments.input.display();
+        return Err(Failure::new(format_args!("`{path}` has no rays: there is nothing to import")));
+    }
     let loaded = match load(&arguments.scene, false) {
         Ok(described) => described.loaded,
         Err(error) => {
@@ -113,6 +121,7 @@ fn import(arguments: &ImportArguments) -> CommandResult {
             return Ok(Exit::Trouble);
         }
     };
+    refuse_to_replace_a_mesh(&output, "the output", &loaded)?;
     let count = rays.len();
     let classes = vec![(arguments.class, arguments.query, rays)];
     let file = answered_rays(&loaded.scene, classes).map_err(Failure::new)?;

@@ -50,6 +50,7 @@ pub(super) struct Begin {
 
 /// Keeps what is needed of a scene that was loaded; the rest of it is dropped.
 pub(super) fn begin(options: &RenderOptions, loaded: Loaded) -> Result<(Begin, Settings), Failure> {
+    options.refuse_to_replace_a_mesh(&loaded)?;
     let settings = options.settings(&loaded.scene)?;
     let begin = |refinement: &Refinement| refinement.begin(&loaded, &settings, options.work.quiet);
     let refined = options.refinement.as_ref().map(begin).transpose()?;

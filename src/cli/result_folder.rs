@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
+use super::inputs::is_same_file;
 use super::output::{Output, claim_folder, make_folder};
 use crate::assets::read_file;
 use crate::compare::{self, ComparisonResult, Plan, heatmap_name, picture_name};
@@ -42,6 +43,24 @@ impl ResultFolder {
     /// Makes a new folder of this name within `parent`, with a number behind it if there is one already.
     pub(super) fn claim(parent: &Path, name: &str) -> Result<Self, Failure> {
         Self::checked(claim_folder(parent, name)?)
+    }
+
+    /// A new folder of the same name with another word behind it.
+    pub(super) fn beside(&self, word: &str) -> Result<Self, Failure> {
+        // `.` and `..` are no names.
+        let path = fs::canonicalize(&self.path).map_err(|error| {
+            let path = self.path.display();
+            Failure::new(format_args!("cannot find the folder `{path}`: {error}"))
+        })?;
+        let name = path.file_name().unwrap_or("report".as_ref()).to_string_lossy();
+        let parent = self.path.parent().filter(|_| self.path.file_name().is_some());
+        let parent = parent.or(path.parent()).unwrap_or(&path);
+        Self::claim(parent, &format!("{name}-{word}"))
+    }
+
+    /// Whether there is a report in it.
+    pub(super) fn has_report(&self) -> bool {
+        FILES.iter().any(|name| self.path.join(name).exists())
     }
 
     /// A folder that exists, if the files of a report can be written in it.
@@ -131,6 +150,23 @@ impl ResultFolder {
         let output = Output::prepare(&self.path.join(name))?;
         output.write(|to| to.write_all(bytes)).map_err(Failure::from)
     }
+}
+
+/// Refuses a folder in which the report would replace the baseline that it is compared with.
+pub(super) fn refuse_to_replace_the_baseline(
+    folder: &Path,
+    baseline: &Path,
+) -> Result<(), Failure> {
+    for name in FILES {
+        if is_same_file(&folder.join(name), baseline) {
+            return Err(Failure::new(format_args!(
+                "the report would replace the baseline `{}`: give --out another folder than `{}`",
+                baseline.display(),
+                folder.display()
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// A command without what may differ where it is gone on with.

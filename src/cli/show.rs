@@ -3,11 +3,12 @@
 use std::io::IsTerminal;
 
 use super::exit::{CommandResult, Exit, Failure};
+use super::inputs::{refuse_to_replace, refuse_to_replace_a_mesh};
 use super::output::Output;
 use super::show_args::ShowArguments;
 use super::source;
 use super::terminal::print_message;
-use super::work::{Overrides, Typed, Work, build_config, check_region, same_file, threads};
+use super::work::{Overrides, Typed, Work, build_config, check_region, threads};
 use crate::render::{Sampling, Settings, Silent, View};
 use crate::scene::Scene;
 use crate::show::{Facts, SlideOptions, page, slides};
@@ -23,14 +24,12 @@ pub(super) fn run(arguments: ShowArguments) -> CommandResult {
             "a page does not print well on a terminal: redirect standard output, or name a file",
         ));
     }
-    if same_file(&arguments.scene, &output) {
-        let path = arguments.scene.display();
-        return Err(Failure::new(format_args!("the page would replace the scene `{path}`")));
-    }
+    refuse_to_replace(&output, "the page", "the scene", &arguments.scene)?;
     let levels = arguments.levels;
     let mut work = work(arguments)?;
     let pool = work.pool()?;
     let Some(loaded) = work.load(&pool) else { return Ok(Exit::Trouble) };
+    refuse_to_replace_a_mesh(&output, "the page", &loaded)?;
     work.adopt(&loaded)?;
     let scene = &loaded.scene;
     let settings = settings(&work, scene)?;

@@ -207,6 +207,13 @@ impl Source {
         }
     }
 
+    /// The paths of the files that it names, if they stand by themselves.
+    pub(crate) fn paths<'a>(&self, names: impl Iterator<Item = &'a str>) -> Vec<PathBuf> {
+        let From::Scene(_) = &self.from else { return Vec::new() };
+        let folder = folder_of(&self.path);
+        names.map(|name| folder.join(name)).collect()
+    }
+
     /// What the scene and these files are called in the pack that they are from, if they are from one.
     pub(crate) fn located(&self, names: &[&str]) -> Option<Located> {
         let From::Pack(pack) = &self.from else { return None };

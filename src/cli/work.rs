@@ -2,12 +2,13 @@
 //! optional that a rendering needs.
 
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::thread::available_parallelism;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::exit::Failure;
+use super::inputs::refuse_to_replace;
 use super::load::{Described, LoadError, Loaded, SavedStructure, SceneFile, print_load_error};
 use super::output::Output;
 use super::source;
@@ -278,15 +279,9 @@ impl Work {
         }
     }
 
-    /// A typing error (`srt scene.sce scene.sce --format png`) must not destroy the scene.
+    /// Refuses an output that would replace the scene.
     pub(crate) fn refuse_to_replace_the_scene(&self, output: &Output) -> Result<(), Failure> {
-        if same_file(&self.scene, output) {
-            return Err(Failure::new(format_args!(
-                "the output would replace the scene `{}`",
-                self.scene.display()
-            )));
-        }
-        Ok(())
+        refuse_to_replace(output, "the output", "the scene", &self.scene)
     }
 }
 
@@ -296,12 +291,6 @@ pub(super) fn pool_of(threads: usize) -> Result<ThreadPool, Failure> {
         .num_threads(threads)
         .build()
         .map_err(|error| Failure::new(format_args!("cannot start {threads} threads: {error}")))
-}
-
-/// Whether an output would replace a file.
-pub(crate) fn same_file(path: &Path, output: &Output) -> bool {
-    let real = |path: &Path| std::fs::canonicalize(path).ok();
-    output.file().and_then(real).is_some_and(|file| real(path) == Some(file))
 }
 
 /// A crop must lie within the picture, whose size may be known only from the scene, and what is

@@ -110,4 +110,4 @@ pub(crate) use picture_file::{heatmap_name, picture_name};
 pub use plan::{PictureOptions, Plan, SceneInput, SweepPlan};
 pub use ray_exchange::{WrongAnswers, answered_rays, wrong_answers};
 pub use resume::{ResumeError, expect_same};
-pub use run::{CompareError, ComparisonResult, describe, run};
+pub use run::{CompareError, ComparisonResult, check_plan, describe, run};

@@ -100,7 +100,7 @@ pub fn run(
     structures: &[Structure],
     observer: &dyn Observer,
 ) -> Result<ComparisonResult, CompareError> {
-    check_names(plan, structures)?;
+    check_plan(plan, structures)?;
     let base = base_name(plan, structures)?;
     let pools = Pools::start(plan.threads)
         .map_err(|(threads, source)| CompareError::Threads { threads, source })?;
@@ -194,6 +194,15 @@ impl<'a> Parts<'a> {
         let floor = whole.div_f64(2.0 * self.count.max(1) as f64);
         Budget::from_now(Some(share.max(floor)))
     }
+}
+
+/// Whether a plan can be begun with these structures, as far as that is known without threads.
+///
+/// # Errors
+/// Without structures, with two of a name, or with a base that is not among them.
+pub fn check_plan(plan: &Plan, structures: &[Structure]) -> Result<(), CompareError> {
+    check_names(plan, structures)?;
+    base_name(plan, structures).map(|_| ())
 }
 
 /// The structure that ratios are taken to: the plan's, or `none` if it is among them, or the first.

@@ -369,3 +369,70 @@ fn a_comparison_that_was_killed_is_gone_on_with() {
     assert!(run.stderr.contains("; leave --resume out to begin anew"), "{}", run.stderr);
     assert_eq!(json(&report), changed, "nothing is lost");
 }
+
+/// What `out` holds, by the names of its files.
+#[cfg(unix)]
+fn contents(out: &Path) -> Vec<(String, Vec<u8>)> {
+    names(out).into_iter().map(|name| (name.clone(), fs::read(out.join(name)).unwrap())).collect()
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_comparison_leaves_an_older_report_as_it_is() {
+    let folder = folder();
+    let at = folder.path();
+    assert_eq!(compare(at, &["--out", "out", "--quiet"]).code, 0);
+    let older = contents(&at.join("out"));
+    // The work goes on for minutes after a second of checks and pictures; both kinds of ends are met.
+    let mut measured = false;
+    for milliseconds in [200, 500, 1_000, 2_000, 4_000, 8_000, 16_000] {
+        let child = Command::new(assert_cmd::cargo::cargo_bin!("srt"))
+            .args(["compare", "scene.sce", "--budget", "600", "--rounds", "400", "--out", "out"])
+            .current_dir(at)
+            .stdout(std::process::Stdio::null())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .unwrap();
+        sleep(Duration::from_millis(milliseconds));
+        send(child.id(), "TERM");
+        let output = child.wait_with_output().unwrap();
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(143), "{stderr}");
+        assert!(contents(&at.join("out")) == older, "after {milliseconds} ms: {stderr}");
+        let partial = at.join("out-partial/report.json");
+        if partial.exists() {
+            assert_eq!(json(&partial)["run"]["partial"], true);
+            assert!(stderr.contains("the older report in `out` is left as it is"), "{stderr}");
+            assert!(stderr.contains("the report is in `out-partial`"), "{stderr}");
+            measured = true;
+            break;
+        }
+    }
+    assert!(measured, "no rays were timed");
+}
+
+#[test]
+fn a_report_does_not_replace_its_baseline() {
+    let folder = folder();
+    let at = folder.path();
+    fs::create_dir(at.join("base")).unwrap();
+    fs::write(at.join("base/report.json"), "an older record").unwrap();
+    for baseline in ["base/report.json", "./base/../base/report.json"] {
+        let run = compare(at, &["--out", "base", "--baseline", baseline]);
+        assert_eq!(run.code, 2, "{}", run.stderr);
+        let reason = format!("the report would replace the baseline `{baseline}`");
+        assert!(run.stderr.contains(&reason), "{}", run.stderr);
+    }
+    assert_eq!(names(&at.join("base")), ["report.json"]);
+    assert_eq!(fs::read(at.join("base/report.json")).unwrap(), b"an older record");
+}
+
+#[test]
+fn a_plan_that_is_refused_leaves_no_folder() {
+    let twice = ["compare", "scene.sce", "--accel", "bvh8,bvh8", "--out", "out"];
+    refused(&twice, &["`bvh8` was named twice"]);
+    refused(
+        &["compare", "scene.sce", "--accel", "bvh8", "--base", "bvh", "--out", "out"],
+        &["ratios cannot be taken to `bvh`"],
+    );
+}

@@ -57,3 +57,28 @@ fn what_is_no_picture_is_trouble() {
         assert!(run.stderr.contains(part), "{}", run.stderr);
     }
 }
+
+#[test]
+fn no_picture_that_is_compared_is_replaced() {
+    let folder = folder();
+    let a = rendered(folder.path(), "a.png", &[]);
+    let b = rendered(folder.path(), "b.png", &["--max-recursion", "0"]);
+    for name in ["a.png", "b.png"] {
+        let run = run_in(folder.path(), &["diff", "a.png", "b.png", "-o", name]);
+        assert_eq!(run.code, 2, "{}", run.stdout);
+        let reason = format!("would replace the picture `{name}`");
+        assert!(run.stderr.contains(&reason), "{}", run.stderr);
+    }
+    let read = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
+    assert!(read("a.png") == a && read("b.png") == b);
+}
+
+#[test]
+fn the_formats_of_difference_pictures_are_named_without_an_option() {
+    let folder = folder();
+    rendered(folder.path(), "a.png", &[]);
+    let run = run_in(folder.path(), &["diff", "a.png", "a.png", "-o", "d.jpg"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("unknown picture format `.jpg`"), "{}", run.stderr);
+    assert!(!run.stderr.contains("--format"), "{}", run.stderr);
+}

@@ -4,7 +4,7 @@ use std::fs;
 
 use srt::image_io::{Format, decode};
 
-use crate::support::{folder, names, picture, rendered, run_in, srt};
+use crate::support::{SCENE, folder, good_run_in, names, picture, rendered, run_in, srt};
 
 #[test]
 fn every_format_holds_the_same_picture() {
@@ -104,4 +104,37 @@ mod unix {
         let (code, stderr) = unread(&["mesh", "soup", "-n", "100000"]);
         assert_eq!((code, stderr.as_str()), (Some(141), ""));
     }
+}
+
+#[test]
+fn a_mesh_of_the_scene_is_not_replaced() {
+    let folder = folder();
+    let at = folder.path();
+    let mesh = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    fs::create_dir(at.join("meshes")).unwrap();
+    fs::write(at.join("meshes/7.obj"), mesh).unwrap();
+    let named = SCENE.replace("generate:torus-knot:1000", "meshes/7.obj");
+    fs::write(at.join("named.sce"), named).unwrap();
+    let path = "meshes/../meshes/7.obj";
+    for typed in [
+        &["named.sce", path, "--format", "png"][..],
+        &["named.sce", "meshes/#.obj", "--frames", "7..8", "--format", "png"],
+        &["named.sce", "a.png", "--checkpoint", path, "--resume"],
+        &["pack", "named.sce", "-o", path],
+        &["build", "named.sce", "-o", path],
+        &["show", "bvh", "named.sce", "-o", path],
+        &["part", "named.sce", "--part", "1/2", "-o", path],
+    ] {
+        let run = run_in(at, typed);
+        assert_eq!(run.code, 2, "{typed:?}: {}", run.stderr);
+        let reason = "would replace the mesh of the scene `meshes/7.obj`";
+        assert!(run.stderr.contains(reason), "{typed:?}: {}", run.stderr);
+        assert_eq!(fs::read(at.join("meshes/7.obj")).unwrap(), mesh, "{typed:?}");
+    }
+    // What nobody names may be replaced.
+    fs::write(at.join("meshes/b.obj"), mesh).unwrap();
+    good_run_in(at, &["pack", "named.sce", "-o", "meshes/b.obj"]);
+    // A pack has its meshes in it.
+    good_run_in(at, &["pack", "named.sce", "-o", "a.srtpack"]);
+    good_run_in(at, &["a.srtpack", "meshes/7.obj", "--format", "png"]);
 }

@@ -184,7 +184,65 @@ fn other_programs_rays_go_out_and_come_back() {
     failed(&[&import[..], &["tinybvh"]].concat(), &["`odd` as tinybvh's", "25 bytes"]);
     failed(&[&import[..], &["obj"]].concat(), &["'obj'", "rodent", "tinybvh"]);
     failed(&["info", "missing"], &["cannot read the rays `missing`"]);
+    fs::write(at.join("none"), []).unwrap();
+    let import = ["import", "none", "no.srtrays", "--scene", "scene.sce", "--format"];
+    for format in ["rodent", "tinybvh"] {
+        failed(&[&import[..], &[format]].concat(), &["`none` has no rays: there is nothing to"]);
+    }
     assert!(!at.join("no.rays").exists() && !at.join("no.srtrays").exists());
     let negative = ["import", "odd", "no", "--format", "rodent", "--scene", "s", "--t-min", "-1"];
     failed(&negative, &["expected a number from 0"]);
+}
+
+#[test]
+fn neither_rays_nor_scene_are_replaced() {
+    let folder = folder();
+    let at = folder.path();
+    fs::write(at.join("mesh.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    fs::write(at.join("in.rays"), [0, 0, 0, 0, 0, 0x3f80_0000u32].map(u32::to_le_bytes).concat())
+        .unwrap();
+    fs::write(at.join("a.srtrays"), "any").unwrap();
+    let refused = |typed: &[&str], kept: &str, reason: &str| {
+        let before = fs::read(at.join(kept)).unwrap();
+        let run = run_in(at, &[&["rays"], typed, &["--format", "rodent"]].concat());
+        assert_eq!(run.code, 2, "{typed:?}");
+        assert!(run.stderr.contains(reason), "{}", run.stderr);
+        assert_eq!(fs::read(at.join(kept)).unwrap(), before, "{typed:?}");
+    };
+    refused(&["export", "a.srtrays", "./a.srtrays"], "a.srtrays", "replace the rays `a.srtrays`");
+    let import =
+        |to: &'static str, scene: &'static str| ["import", "in.rays", to, "--scene", scene];
+    refused(&import("in.rays", "scene.sce"), "in.rays", "would replace the rays `in.rays`");
+    refused(&import("scene.sce", "scene.sce"), "scene.sce", "would replace the scene `scene.sce`");
+    fs::write(at.join("named.sce"), SCENE.replace("generate:torus-knot:1000", "mesh.obj")).unwrap();
+    let reason = "would replace the mesh of the scene `mesh.obj`";
+    refused(&import("mesh.obj", "named.sce"), "mesh.obj", reason);
+}
+
+#[test]
+fn a_file_without_rays_of_the_classes_that_are_wanted_is_refused() {
+    let (folder, _) = saved();
+    let at = folder.path();
+    let all = RayFile::decode(&file(at)).unwrap();
+    let only = |count: usize| {
+        let mut rays = all.clone();
+        rays.classes.truncate(1);
+        rays.classes[0].rays.truncate(count);
+        let RayAnswers::ClosestHit(hits) = &mut rays.classes[0].answers else { panic!("view") };
+        hits.truncate(count);
+        fs::write(at.join("few.srtrays"), rays.encode()).unwrap();
+    };
+    let refuses = |options: &[&str], reason: &str| {
+        let typed = [&["--rays", "few.srtrays", "--out", "never"], options].concat();
+        let run = compare(at, &typed);
+        assert_eq!(run.code, 2, "{}", run.stderr);
+        assert!(run.stderr.contains(reason), "{}", run.stderr);
+        assert!(!at.join("never").exists());
+    };
+    only(100);
+    let reason = "the rays `few.srtrays`: it has no mirror or diffuse rays; it has: view";
+    refuses(&["--classes", "mirror,diffuse"], reason);
+    only(0);
+    refuses(&[], "the rays `few.srtrays`: it has none to measure");
+    refuses(&["--classes", "view"], "the rays `few.srtrays`: it has none to measure");
 }

@@ -32,7 +32,7 @@ pub(crate) enum OutputError {
         source: io::Error,
     },
     /// The extension is that of no format.
-    #[error("cannot write `{}`: {source}; or choose a format with --format", path.display())]
+    #[error("cannot write `{}`: {source}", path.display())]
     UnknownFormat {
         /// As typed.
         path: PathBuf,
