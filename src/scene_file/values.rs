@@ -240,7 +240,7 @@ pub(super) fn number(
 fn not_a_number(command: &SceneCommand, value: &Value, word: Word<'_>) -> Diagnostic {
     let message = format!("{} is not a number", quoted(word.text));
     let right = match value.kind {
-        ValueKind::Number => "a number".to_owned(),
+        ValueKind::Number | ValueKind::Reflectance => "a number".to_owned(),
         ValueKind::Whole(..) => value.kind.to_string(),
         kind => format!("a number {kind}"),
     };

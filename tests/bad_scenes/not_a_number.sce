@@ -11,4 +11,5 @@ ball r 0 0 0
 ball 0,5 0 0 0
 translate 1, 2, 3
 translate 0x1 1e --3
+cr 2 -1 x
 end

@@ -17,11 +17,11 @@ const size = (bytes) => {
   const step = Math.min(Math.floor(Math.log10(Math.max(bytes, 1)) / 3), units.length - 1);
   return `${(bytes / 1000 ** step).toFixed(step > 0 ? 1 : 0)} ${units[step]}`;
 };
-const samples = (lane) => {
-  if (lane.complete) return lane.all_samples === 1 ? '1' : `all ${lane.all_samples}`;
+const progress = (lane) => {
+  if (lane.complete) return `finished in ${time(lane.seconds)}`;
   if (lane.samples === 0) return 'a first look';
   const digits = [1, 10].filter((end) => lane.samples < end).length;
-  return `${lane.samples.toFixed(digits)} of ${lane.all_samples}`;
+  return `${lane.samples.toFixed(digits)} of ${lane.all_samples} samples a pixel`;
 };
 
 /** Shows all of an update but its pictures. */
@@ -51,8 +51,7 @@ export function showFigures(update, threads) {
   racing.forEach((lane, i) => {
     const { caption, canvas } = lanes[i];
     canvas.setAttribute('aria-label', `${report.scene}, ${report.view}, traced with ${lane.structure}`);
-    const done = lane.complete ? `finished in ${time(lane.seconds)}` : `${samples(lane)} samples a pixel`;
-    setText(caption, [['name', lane.structure], ['progress', done]]);
+    setText(caption, [['name', lane.structure], ['progress', progress(lane)]]);
     sync(i, lane, report.answers);
   });
   sharpen();
