@@ -107,6 +107,16 @@ fn plan(arguments: &AnimateArguments) -> Result<MotionPlan, Failure> {
             "none of these structures can follow in these ways: add `rebuild` to --strategies",
         ));
     }
+    if !arguments.quiet {
+        for own in structures.iter().filter(|own| !offered(own)) {
+            let ways: Vec<&str> = strategies.iter().map(|strategy| strategy.name()).collect();
+            print_message(format_args!(
+                "note: {} offers none of: {}; it is left out",
+                own.name,
+                ways.join(", ")
+            ));
+        }
+    }
     let processors = available_parallelism().map_or(1, std::num::NonZero::get);
     Ok(MotionPlan {
         structures,

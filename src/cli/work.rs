@@ -196,6 +196,11 @@ impl Work {
                 .try_build(scene, &self.build)
                 .map_err(|error| Failure::new(format_args!("`{name}`: {error}")))?,
         };
+        if self.view == View::Cells && scene.objects.is_empty() {
+            return Err(Failure::new(format_args!(
+                "`{name}` has no cells over this scene: the scene has no primitives; add an object, as `ball 1 0 0 0`"
+            )));
+        }
         if self.view == View::Cells && world.regions().is_empty() {
             return Err(Failure::new(format_args!(
                 "`{name}` has no cells over this scene: it tests every primitive; choose another structure"

@@ -92,6 +92,14 @@ fn structures_that_cannot_follow_are_built_anew() {
         run.stdout
     );
     assert!(run.stdout.contains("in a frame 0 objects and 0 triangles move"), "{}", run.stdout);
+    assert!(!run.stderr.contains("note: "), "{}", run.stderr);
+    // Whoever offers nothing is named, and the others are measured.
+    let refits = [&typed[..], &["--strategies", "refit", "--threads", "1"]].concat();
+    let run = good_run_in(folder.path(), &refits);
+    let note = "note: kdtree offers none of: refit; it is left out\n";
+    assert!(run.stderr.contains(note), "{}", run.stderr);
+    let quiet = good_run_in(folder.path(), &[&refits[..], &["--quiet"]].concat());
+    assert!(quiet.stderr.is_empty(), "{}", quiet.stderr);
 }
 
 #[test]

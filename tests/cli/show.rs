@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::support::{folder, good_run_in, refused, rendered};
+use crate::support::{SCENE, folder, good_run_in, refused, rendered, run_in};
 
 /// How often a text holds another one.
 fn count(text: &str, part: &str) -> usize {
@@ -88,6 +88,14 @@ fn what_has_no_cells_or_is_of_no_structure_is_refused() {
         &["scene.sce", "a.png", "--view", "cells", "--accel", "none"],
         &["`none` has no cells over this scene"],
     );
+    let folder = folder();
+    let empty =
+        SCENE.split("triangle").next().unwrap().to_owned() + "pointlight 0 0 9 1 1 1\nend\n";
+    fs::write(folder.path().join("empty.sce"), empty).unwrap();
+    let run = run_in(folder.path(), &["show", "bvh8", "empty.sce", "-o", "a.html"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("over this scene: the scene has no primitives"), "{}", run.stderr);
+    assert!(!run.stderr.contains("another structure"), "{}", run.stderr);
     refused(&["show", "bvhh", "scene.sce", "-o", "a.html"], &["bvhh", "bvh"]);
     refused(&["show", "bvh", "scene.sce", "-o", "scene.sce"], &["would replace the scene"]);
     refused(&["show", "bvh", "scene.sce", "-o", "a.html", "--levels", "0"], &["--levels"]);
