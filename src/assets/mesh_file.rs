@@ -5,6 +5,9 @@ use std::path::{Path, PathBuf};
 use super::error::LoadFailure;
 use super::{AssetError, FileLine, MeshData, Problem, obj, read_file};
 
+/// So many bytes are looked at to find the first statement of a file, behind its remarks.
+const OBJ_BEGIN: usize = 1 << 16;
+
 /// The mesh in the bytes of a Wavefront OBJ file, which errors call by `path`. Reads no file.
 ///
 /// ```
@@ -72,9 +75,9 @@ pub(super) fn mesh_of_bytes(bytes: Vec<u8>, path: &Path) -> Result<MeshData, Box
     Err(LoadFailure::new(problem, Some(help.to_owned())))
 }
 
-/// What a file that is no OBJ is, where it begins like one of the common other formats. Binary STL
+/// What the format of a mesh is in which a file is, where it begins like one of the common other formats. Binary STL
 /// begins with anything, but states its length.
-fn other_format(path: &Path, bytes: &[u8]) -> Option<&'static str> {
+pub(crate) fn other_format(path: &Path, bytes: &[u8]) -> Option<&'static str> {
     let is_stl = || {
         let named = path.extension().is_some_and(|name| name.eq_ignore_ascii_case("stl"));
         let count = bytes.get(80..84)?.first_chunk().copied().map(u32::from_le_bytes)?;
@@ -87,6 +90,16 @@ fn other_format(path: &Path, bytes: &[u8]) -> Option<&'static str> {
         _ if is_stl() == Some(true) => Some("STL"),
         _ => None,
     }
+}
+
+/// Whether a text begins as an OBJ file does: its first statement is one of a mesh, and a scene's never is.
+pub(crate) fn begins_as_obj(bytes: &[u8]) -> bool {
+    const STATEMENTS: [&[u8]; 8] = [b"v", b"vn", b"vt", b"o", b"g", b"mtllib", b"usemtl", b"f"];
+    let begin = &bytes[..bytes.len().min(OBJ_BEGIN)];
+    let mut lines = begin.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
+    let first = lines.find(|line| !line.is_empty() && !line.starts_with(b"#"));
+    let word = first.and_then(|line| line.split(u8::is_ascii_whitespace).next());
+    word.is_some_and(|word| STATEMENTS.contains(&word))
 }
 
 /// The line that contains the byte at `offset`, up to that byte; the path is left empty.

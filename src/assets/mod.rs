@@ -23,5 +23,6 @@ pub use load::{LoadedMeshes, MeshLoader, check_meshes, load_each_mesh, load_mesh
 pub use memory::{MemoryShortage, available_memory, expect_memory};
 pub use mesh_data::MeshData;
 pub use mesh_file::read_obj;
+pub(crate) use mesh_file::{begins_as_obj, other_format};
 pub use read::{read_file, read_stream};
 pub use source::MeshFiles;

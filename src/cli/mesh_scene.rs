@@ -6,13 +6,17 @@ use std::path::Path;
 use glam::DVec3;
 
 use crate::assets::generate::Recipe;
-use crate::math::Aabb;
+use crate::math::{Aabb, SizeRange};
 
 /// The whole mesh is in view where the picture's smaller side has this angle.
 const FOVY_DEGREES: f64 = 36.0;
 
 /// Width and height of the picture.
 const SIZE: [u32; 2] = [480, 320];
+
+/// A mesh whose coordinates are no larger than this has its camera and its lights in the range that is traced: they are
+/// up to 4 √3 times as far from its middle.
+pub(super) const MOST_REACH: f64 = 1e8;
 
 /// A mesh that was named where a scene is expected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,8 +47,8 @@ impl<'a> NamedMesh<'a> {
     }
 
     /// A scene of it alone, within a box, seen from the front and a little from above. Files mostly have their `y` axis
-    /// upwards, and generated meshes their `z` axis.
-    pub(super) fn scene(self, bounds: &Aabb) -> String {
+    /// upwards, and generated meshes their `z` axis. `None` if its camera or its lights would be too far away.
+    pub(super) fn scene(self, bounds: &Aabb) -> Option<String> {
         let [low, high] =
             [bounds.min, bounds.max].map(|corner| glam::Vec3::from(corner).as_dvec3());
         let (middle, radius) = (0.5 * (low + high), 0.5 * (high - low).length());
@@ -58,6 +62,9 @@ impl<'a> NamedMesh<'a> {
         let eye = middle + radius / (0.5 * FOVY_DEGREES).to_radians().sin() * to_eye;
         let light = middle + 4.0 * radius * turned(-0.7, 1.0, 0.8);
         let fill = middle + 4.0 * radius * turned(1.0, 0.3, 0.6);
+        if ![low, high, eye, light, fill].iter().all(|place| SizeRange::WORLD.holds_at(*place)) {
+            return None;
+        }
         let lines = [("eyepos", eye), ("eyedir", -to_eye), ("eyeup", turned(0.0, 1.0, 0.0))];
         let mut text = "sce1.0\n".to_owned();
         let _ = writeln!(text, "# A mesh by itself, in the middle of the picture.");
@@ -72,7 +79,7 @@ impl<'a> NamedMesh<'a> {
         let _ =
             writeln!(text, "ca 0.22 0.22 0.22\ncr 0.70 0.68 0.64\ncp 0.12 0.12 0.12\nshininess 40");
         let _ = writeln!(text, "object_phong \"{}\"\nend", self.name());
-        text
+        Some(text)
     }
 }
 
@@ -104,10 +111,11 @@ mod tests {
             (Vec3A::splat(1e6), Vec3A::new(1e6, 1e6, 1.1e6)),
             (Vec3A::splat(1e-7), Vec3A::splat(2e-7)),
             (Vec3A::ZERO, Vec3A::ZERO),
+            (Vec3A::splat(-MOST_REACH as f32), Vec3A::splat(MOST_REACH as f32)),
         ];
         for mesh in [NamedMesh::File("a.obj"), NamedMesh::Generated("generate:hall:1k")] {
             for (min, max) in boxes {
-                let text = mesh.scene(&Aabb { min, max });
+                let text = mesh.scene(&Aabb { min, max }).unwrap();
                 let parsed = parse(&text, &ParseOptions::default()).expect(&text);
                 let camera = parsed.description.camera;
                 let tangent = (0.5 * camera.fovy_degrees).to_radians().tan();
@@ -119,6 +127,16 @@ mod tests {
                     let aside = (to_corner - ahead * camera.direction.normalize()).length();
                     assert!(ahead > 0.0 && aside <= 1.001 * tangent * ahead, "{text}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn a_mesh_that_reaches_too_far_has_no_scene() {
+        for reach in [1e9, 1e20, f32::MAX] {
+            for min in [Vec3A::ZERO, Vec3A::splat(-reach), Vec3A::splat(0.5 * reach)] {
+                let bounds = Aabb { min, max: Vec3A::splat(reach) };
+                assert_eq!(NamedMesh::File("a.obj").scene(&bounds), None, "{bounds:?}");
             }
         }
     }

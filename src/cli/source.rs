@@ -7,9 +7,12 @@ use std::sync::Arc;
 
 use glam::Vec3A;
 
-use super::mesh_scene::NamedMesh;
+use super::mesh_scene::{MOST_REACH, NamedMesh};
 use super::origin::program;
-use crate::assets::{FileReader, MeshFiles, MeshLoader, expect_memory, read_file, read_stream};
+use crate::assets::{
+    FileReader, MeshFiles, MeshLoader, begins_as_obj, expect_memory, other_format, read_file,
+    read_stream,
+};
 use crate::built_file::{BuiltFileError, BuiltScene};
 use crate::description::MeshReference;
 use crate::math::Aabb;
@@ -41,6 +44,39 @@ pub(crate) enum SourceError {
         path: PathBuf,
         /// Why.
         source: BuiltFileError,
+    },
+    /// A mesh in a format that is not read, in the place of a scene.
+    #[error(
+        "{} looks like {format}: it is no scene, and meshes are read as Wavefront OBJ: convert it",
+        quoted(path)
+    )]
+    OtherFormat {
+        /// As typed.
+        path: PathBuf,
+        /// What it looks like.
+        format: &'static str,
+    },
+    /// A mesh from standard input, or from a file that is not called as meshes are.
+    #[error(
+        "{} looks like a mesh, a Wavefront OBJ file: a mesh is taken for a scene from a file alone, with a name \
+         that ends with `.obj` and has no quote in it, as `bunny.obj`",
+        quoted(path)
+    )]
+    Unnamed {
+        /// As typed.
+        path: PathBuf,
+    },
+    /// A mesh in the place of a scene that reaches too far for its camera and its lights.
+    #[error(
+        "the mesh {} reaches to coordinates of {reach:e}, and in the place of a scene {MOST_REACH:e} is the most: \
+         scale it down",
+        quoted(path)
+    )]
+    TooFar {
+        /// As typed.
+        path: PathBuf,
+        /// Its largest coordinate.
+        reach: f32,
     },
     /// A built scene that moves, in another frame than that for which it was built.
     #[error(
@@ -115,7 +151,7 @@ impl Read for Rest {
 /// is made around it, once `meshes` has loaded it.
 pub(crate) fn read(path: &Path, meshes: &mut MeshLoader) -> Result<Source, SourceError> {
     if let Some(mesh) = NamedMesh::of(path) {
-        let text = around_mesh(mesh, path, meshes);
+        let text = around_mesh(mesh, path, meshes)?;
         return Ok(Source { path: path.to_owned(), from: From::Scene(text.into_bytes()) });
     }
     if !is_stdin(path)
@@ -133,17 +169,29 @@ pub(crate) fn read(path: &Path, meshes: &mut MeshLoader) -> Result<Source, Sourc
         Ok(bytes) if BuiltScene::begins(&bytes) => {
             built(&path, Rest::Bytes(Cursor::new(bytes.into())))
         }
-        Ok(bytes) => Ok(Source { path, from: From::Scene(bytes) }),
+        Ok(bytes) => match other_format(&path, &bytes) {
+            Some(format) => Err(SourceError::OtherFormat { path, format }),
+            None if begins_as_obj(&bytes) => Err(SourceError::Unnamed { path }),
+            None => Ok(Source { path, from: From::Scene(bytes) }),
+        },
         Err(source) => Err(SourceError::Io { path, source }),
     }
 }
 
 /// The scene around a mesh. What is wrong with the mesh is found when the scene is compiled.
-fn around_mesh(mesh: NamedMesh<'_>, path: &Path, meshes: &mut MeshLoader) -> String {
+fn around_mesh(
+    mesh: NamedMesh<'_>,
+    path: &Path,
+    meshes: &mut MeshLoader,
+) -> Result<String, SourceError> {
     let loaded = meshes.load_each(&[MeshReference::new(mesh.name())], folder_of(path));
     let bounds = loaded.meshes.into_iter().flatten().next().map(|mesh| mesh.bounds());
     let some = bounds.filter(|bounds| bounds.min.cmple(bounds.max).all());
-    mesh.scene(&some.unwrap_or(Aabb { min: Vec3A::NEG_ONE, max: Vec3A::ONE }))
+    let bounds = some.unwrap_or(Aabb { min: Vec3A::NEG_ONE, max: Vec3A::ONE });
+    mesh.scene(&bounds).ok_or_else(|| {
+        let reach = bounds.largest_coordinate();
+        SourceError::TooFar { path: path.to_owned(), reach }
+    })
 }
 
 /// A regular file at its beginning, if that is the one of a built scene.
@@ -165,6 +213,13 @@ fn built(path: &Path, mut rest: Rest) -> Result<Source, SourceError> {
     match BuiltScene::read(&program(), &mut rest, size) {
         Ok(scene) => Ok(Source { path, from: From::Built(Built { scene, rest }) }),
         Err(source) => Err(SourceError::Built { path, source }),
+    }
+}
+
+impl SourceError {
+    /// Whether the file can be read, and what is in it is no valid scene.
+    pub(crate) fn is_of_contents(&self) -> bool {
+        matches!(self, Self::OtherFormat { .. } | Self::Unnamed { .. } | Self::TooFar { .. })
     }
 }
 

@@ -233,3 +233,22 @@ fn meshes_beyond_memory_are_told_with_the_errors_of_the_text() {
 fn standard_input_is_read_only_once() {
     crate::support::refused(&["check", "-", "-"], &["`-` is named twice"]);
 }
+
+#[test]
+fn every_frame_of_a_scene_that_moves_is_looked_at() {
+    let folder = folder();
+    let scaled = |last: &str| {
+        let keys = format!("at 0 scale 1 1 1\nto 10 scale {last}\ntranslate 1.6 0.4 1");
+        fs::write(folder.path().join("moving.sce"), SCENE.replace("translate 1.6 0.4 1", &keys))
+            .unwrap();
+        run_in(folder.path(), &["check", "moving.sce"])
+    };
+    let good = scaled("2 1 1");
+    assert_eq!((good.code, good.stderr.as_str()), (0, ""));
+    assert!(good.stdout.contains("keys from frame 0 to 10"), "{}", good.stdout);
+    let wrong = scaled("-1 1 1");
+    assert_eq!((wrong.code, wrong.stdout.as_str()), (1, ""), "{}", wrong.stderr);
+    for part in ["at frame 5 `x` of `scale` must not be 0", "in frame 5\n"] {
+        assert!(wrong.stderr.contains(part), "{}", wrong.stderr);
+    }
+}

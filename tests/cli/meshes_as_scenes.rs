@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::support::{folder, good_run_in, picture, run_in};
+use crate::support::{folder, good_run_in, picture, run_in, srt};
 
 /// A tetrahedron, far away and large.
 const TETRAHEDRON: &str = "v 1000 0 0\nv 1100 0 0\nv 1000 100 0\nv 1000 0 100\n\
@@ -54,4 +54,45 @@ fn what_is_wrong_with_a_mesh_is_said_with_its_line() {
         assert!(run.stderr.contains(&format!("the scene around {mesh}:")), "{}", run.stderr);
         assert!(!at.join("never.png").exists());
     }
+}
+
+#[test]
+fn meshes_of_other_formats_and_without_a_name_are_called_what_they_are() {
+    let folder = folder();
+    let at = folder.path();
+    let stl = [&[0; 80][..], &1u32.to_le_bytes(), &[0; 50]].concat();
+    let files: [(&str, &[u8], &str); 4] = [
+        ("a.ply", b"ply\nformat ascii 1.0\n", "`a.ply` looks like PLY"),
+        ("b.stl", &stl, "`b.stl` looks like STL"),
+        ("c.glb", b"glTF\x02\0\0\0", "`c.glb` looks like glTF"),
+        ("d.txt", b"# a remark\n\no cube\nv 0 0 0\n", "`d.txt` looks like a mesh"),
+    ];
+    for (name, bytes, reason) in files {
+        fs::write(at.join(name), bytes).unwrap();
+        for (typed, code) in [([name, "never.png"], 2), (["check", name], 1)] {
+            let run = run_in(at, &typed);
+            assert_eq!(run.code, code, "{}", run.stderr);
+            assert!(run.stderr.contains(reason), "{}", run.stderr);
+            assert_eq!(run.stderr.matches("error: ").count(), 1, "{}", run.stderr);
+        }
+    }
+    let output =
+        srt(&["-", "never.png"]).current_dir(at).write_stdin(TETRAHEDRON).output().unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{stderr}");
+    assert!(stderr.contains("standard input looks like a mesh, a Wavefront OBJ"), "{stderr}");
+    assert!(stderr.contains("from a file alone"), "{stderr}");
+    assert!(!at.join("never.png").exists());
+}
+
+#[test]
+fn a_mesh_that_reaches_too_far_is_one_error() {
+    let folder = folder();
+    let at = folder.path();
+    fs::write(at.join("far.obj"), "v 0 0 0\nv 1e20 0 0\nv 0 1e20 0\nf 1 2 3\n").unwrap();
+    let run = run_in(at, &["far.obj", "never.png"]);
+    assert_eq!(run.code, 2, "{}", run.stderr);
+    assert_eq!(run.stderr.matches("error: ").count(), 1, "{}", run.stderr);
+    let reason = "the mesh `far.obj` reaches to coordinates of 1e20, and in the place of a scene 1e8 is the most";
+    assert!(run.stderr.contains(reason), "{}", run.stderr);
 }
