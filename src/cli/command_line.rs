@@ -1,11 +1,14 @@
 //! The command's definition with the structures of this program, and what it reads from the command
 //! line of this process.
 
+use std::ffi::OsString;
+
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
 
 use super::args::{self, Arguments};
 use super::exit::Failure;
+use super::near::nearest;
 use super::output::Output;
 use super::structures::Structures;
 
@@ -34,7 +37,8 @@ pub(crate) fn command(structures: &Structures) -> Command {
 pub(crate) fn arguments(structures: &Structures) -> Result<Option<Arguments>, Failure> {
     let matches = command(structures).try_get_matches();
     let read = matches.and_then(|mut matches| Arguments::from_arg_matches_mut(&mut matches));
-    let mut arguments = match read.map_err(|error| explained(structures, error)) {
+    let typed: Vec<OsString> = std::env::args_os().skip(1).collect();
+    let mut arguments = match read.map_err(|error| explained(structures, &typed, error)) {
         Ok(arguments) => arguments,
         Err(help) if !help.use_stderr() => return print_help(&help).map(|()| None),
         Err(error) => error.exit(),
@@ -57,16 +61,29 @@ fn print_help(help: &clap::Error) -> Result<(), Failure> {
     Output::stdout().write(|_| help.print()).map_err(Failure::from)
 }
 
-/// An error of clap's in words that fit: after a scene and an output, it takes one word too many for
-/// the name of a subcommand.
-fn explained(structures: &Structures, error: clap::Error) -> clap::Error {
-    match error.get(ContextKind::InvalidSubcommand) {
-        Some(ContextValue::String(word)) => command(structures).error(
+/// An error of clap's in words that fit: it takes a word too many for the name of a subcommand, behind a scene and an
+/// output as well, where none can be.
+fn explained(structures: &Structures, typed: &[OsString], error: clap::Error) -> clap::Error {
+    let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand) else {
+        return error;
+    };
+    let mut root = command(structures);
+    root.build();
+    // The subcommand that the word is behind; all are before it.
+    let is_help = typed.first().is_some_and(|first| first == "help");
+    let names = typed.iter().skip(usize::from(is_help)).take_while(|own| *own != word.as_str());
+    let within = names.fold(&root, |within, name| within.find_subcommand(name).unwrap_or(within));
+    if !is_help && within.get_name() == root.get_name() {
+        return root.clone().error(
             ErrorKind::UnknownArgument,
             format_args!("unexpected argument `{word}`: a rendering takes a scene and an output"),
-        ),
-        _ => error,
+        );
     }
+    let known = within.get_subcommands().map(Command::get_name);
+    let hint =
+        nearest(word, known).map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
+    root.clone()
+        .error(ErrorKind::InvalidSubcommand, format_args!("there is no subcommand `{word}`{hint}"))
 }
 
 #[cfg(test)]

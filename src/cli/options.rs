@@ -11,7 +11,7 @@ use super::picture::PictureTarget;
 use super::refine::Refinement;
 use super::render_args::{RenderArguments, StatsForm};
 use super::work::Work;
-use crate::render::Settings;
+use crate::render::{Settings, View};
 use crate::scene::Scene;
 
 /// All options of a rendering.
@@ -66,10 +66,17 @@ impl RenderOptions {
             checkpoint: checkpoint.transpose()?,
         };
         let refines = refinement.progressive || refinement.checkpoint.is_some();
-        if refinement.progressive && work.view == crate::render::View::Heatmap {
+        if refinement.progressive && work.view == View::Heatmap {
             return Err(Failure::new(
                 "--view heatmap shows what all rays of a pixel tested: it cannot be refined in passes",
             ));
+        }
+        if typed.noise.is_some() && work.view != View::Color {
+            return Err(Failure::new(format_args!(
+                "--noise is for the light of a picture, and --view {} shows what one ray through each pixel hits, \
+                 which has no noise: leave --noise out",
+                work.view.name(),
+            )));
         }
         Ok(Self {
             stats: typed.stats.map(|form| stats(form, &picture.output)),
@@ -110,7 +117,7 @@ mod tests {
     use super::super::args::Arguments;
     use super::*;
     use crate::accel::BuildConfig;
-    use crate::render::{Sampling, View};
+    use crate::render::Sampling;
 
     fn options(typed: &[&str]) -> Result<RenderOptions, Failure> {
         let arguments = ["srt", "a.sce", "/dev/null"].iter().chain(typed);

@@ -2,6 +2,7 @@
 //! a unit.
 
 use std::fmt;
+use std::net::{IpAddr, SocketAddr};
 use std::str::FromStr;
 use std::time::Duration;
 
@@ -67,6 +68,12 @@ pub(crate) enum ValueError {
     /// Not a place along a ray.
     #[error("expected a number from 0, at most 3.4e38")]
     RayEnd,
+    /// Not the address of a machine.
+    #[error("expected an address in digits, such as 127.0.0.1 for this machine alone")]
+    Address,
+    /// An address with a port.
+    #[error("expected an address alone, such as 127.0.0.1: the port is given by --port")]
+    AddressWithPort,
     /// Not a percentage.
     #[error("expected a percentage from 0, such as 10%")]
     Percent,
@@ -160,6 +167,13 @@ pub(super) fn share(text: &str) -> Result<Share, ValueError> {
     let (Some(part), Some(count)) = (part, count) else { return Err(ValueError::Share) };
     let fits = (1..=count).contains(&part) && count <= Share::MOST;
     if fits { Ok(Share { number: part, count }) } else { Err(ValueError::Share) }
+}
+
+/// Reads the address of a machine.
+pub(super) fn address(text: &str) -> Result<IpAddr, ValueError> {
+    let has_port = text.parse::<SocketAddr>().is_ok();
+    let error = if has_port { ValueError::AddressWithPort } else { ValueError::Address };
+    text.trim().parse().map_err(|_| error)
 }
 
 /// Reads where a ray begins or ends, in units of its direction.

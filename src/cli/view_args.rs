@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::values::whole;
+use super::values::{address, whole};
 use super::work_args::WorkArguments;
 
 /// `srt view`.
@@ -34,7 +34,7 @@ pub(crate) struct ViewArguments {
 
     /// The address of this machine to listen on; 0.0.0.0 is all of them, for other machines to look
     #[arg(long, value_name = "ADDRESS", default_value_t = IpAddr::V4(Ipv4Addr::LOCALHOST),
-        help_heading = "Page")]
+        value_parser = address, help_heading = "Page")]
     pub(crate) listen: IpAddr,
 
     /// What is rendered beside the scene, and by what.

@@ -52,6 +52,8 @@ pub(crate) struct WorkArguments {
     pub(crate) crop: Option<Crop>,
 
     /// N × N samples a pixel; 0 is one ray through its centre [default: that of the scene]
+    ///
+    /// For --view color and heatmap: the other views show what one ray through the centre hits.
     #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = whole::<u32>(0, u64::from(Options::MAX_AA)), help_heading = "Picture")]
     pub(crate) aa: Option<u32>,
@@ -87,6 +89,7 @@ pub(crate) struct WorkArguments {
 
     /// What the pixels show
     ///
+    /// All but color and heatmap show what one ray through the centre of each pixel hits, whatever --aa is.
     /// Depths (in steps of equal factors) and heatmaps are coloured, and the scale is printed on
     /// standard error; exr and hdr hold the numbers themselves.
     #[arg(long, value_name = "WHAT", default_value = View::default().name(),

@@ -285,3 +285,20 @@ mod unix {
         }
     }
 }
+
+#[test]
+fn a_slip_in_the_name_of_a_subcommand_is_found() {
+    for (typed, parts) in [
+        (&["help", "comprae"][..], &["no subcommand `comprae`", "did you mean `compare`?"][..]),
+        (&["help", "rays", "exprot"], &["no subcommand `exprot`", "did you mean `export`?"]),
+        (&["rays", "exprot"], &["no subcommand `exprot`", "did you mean `export`?"]),
+        (&["help", "xyzzy"], &["no subcommand `xyzzy`"]),
+        (&["a.sce", "b.png", "compare"], &["unexpected argument `compare`"]),
+        (&["a.sce", "b.png", "foo"], &["unexpected argument `foo`: a rendering takes a scene"]),
+    ] {
+        let Run { code, stderr, .. } = run_in(Path::new("."), typed);
+        assert_eq!(code, 2, "{typed:?}: {stderr}");
+        assert!(parts.iter().all(|part| stderr.contains(part)), "{typed:?}: {stderr}");
+        assert!(typed[0] != "help" || !stderr.contains("a rendering takes"), "{stderr}");
+    }
+}

@@ -235,4 +235,9 @@ fn bad_options_of_refining_are_refused() {
     let heat = with(&["--checkpoint", "a", "--view", "heatmap"]);
     refused(&heat, &["--checkpoint is for what is the same whatever the structure"]);
     refused(&with(&["--progressive", "--view", "heatmap"]), &["cannot be refined in passes"]);
+    refused(&with(&["--noise", "0.1", "--view", "heatmap"]), &["cannot be refined in passes"]);
+    for view in ["normal", "depth", "object", "primitive", "cells"] {
+        let parts = [&*format!("--view {view} shows what one ray"), "leave --noise out"];
+        refused(&with(&["--aa", "4", "--noise", "0.1", "--view", view]), &parts);
+    }
 }

@@ -23,6 +23,9 @@ fn what_is_wrong_is_said() {
     refused(&["scene.sce", "--crop", "0,0,9,9"], &["leave --crop out"]);
     refused(&["scene.sce", "--port", "65536"], &["from 0 to 65535"]);
     refused(&["scene.sce", "--listen", "example.org"], &["--listen", "example.org"]);
+    let expected = "expected an address in digits, such as 127.0.0.1 for this machine alone";
+    refused(&["scene.sce", "--listen", "localhost"], &["--listen", "localhost", expected]);
+    refused(&["scene.sce", "--listen", "127.0.0.1:80"], &["the port is given by --port"]);
     refused(&["scene.sce", "--listen", "192.0.2.1"], &["cannot listen on 192.0.2.1:0"]);
     refused(&["scene.sce", "--size", "9000x9000"], &["9000x9000 pixels are too many to look at"]);
     refused(&["bad.sce"], &["unknown command `balll`", "bad.sce:2:1"]);
