@@ -3,15 +3,19 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic is a failed test")]
 
-use std::io::Read;
+use std::io::{self, Read};
+use std::ops::{ControlFlow, Range};
 
 use srt::accel::{
-    Answers, BoundingBall, BuildConfig, BuildOptions, Bvh, Bvh8, CompressedWideBvh, Exhaustive,
-    Indexed, LoadError, Portable, Quality, Scratch, StructureShape, Tracer,
+    Accel, Answers, Bounded, BoundingBall, Build, BuildConfig, BuildOptions, Built, Bvh, Bvh8,
+    CompressedWideBvh, Decoder, Encoder, Exhaustive, Indexed, LoadError, Portable, Quality,
+    Scratch, Slots, StructureShape, Tracer,
 };
 use srt::conformance::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
 use srt::conformance::nasty_meshes::{self, Mesh};
-use srt::math::{Hit, Ray};
+use srt::counters::Counters;
+use srt::glam::Vec3;
+use srt::math::{BoxRay, Hit, Ray};
 use srt::shapes::{TriangleMesh, TriangleSet};
 
 type Triangles<A> = Indexed<TriangleSet, A>;
@@ -352,6 +356,61 @@ fn forged_compressed_trees_are_errors_or_right() {
 #[test]
 fn forged_wide_trees_are_errors_or_right() {
     check_forgeries::<Bvh8>();
+}
+
+/// No structure, but the bytes of a binary tree with a node for each primitive, below each other, and all primitives
+/// in a leaf of each node.
+struct Repeating(u32);
+
+impl Accel for Repeating {
+    fn build(primitives: &impl Bounded, _: &mut Build<'_>) -> Built<Self> {
+        Built { accel: Self(primitives.count()), order: None }
+    }
+
+    fn traverse<C: Counters>(
+        &self,
+        _: &Ray,
+        _: &BoxRay,
+        _: &mut C,
+        _: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
+    ) {
+    }
+
+    fn bytes(&self) -> u64 {
+        0
+    }
+}
+
+impl Portable for Repeating {
+    const NAME: &'static str = Bvh::NAME;
+
+    fn write(&self, out: &mut Encoder<'_>) -> io::Result<()> {
+        let &Self(count) = self;
+        let [low, high] = [-1e6_f32, 1e6].map(f32::to_bits);
+        let side = |slots: u32, first: u32| [low, low, low, high, high, high, slots, first];
+        out.u32(count)?;
+        out.list(&(1..=count).collect::<Vec<_>>(), |&next| {
+            let last = if next < count { side(0, next) } else { side(count, 0) };
+            let sides = [side(count, 0), last];
+            std::array::from_fn::<_, 16, _>(|word| sides[word / 8][word % 8])
+        })
+    }
+
+    fn read(_: &impl Bounded, _: Slots<'_>, _: &mut Decoder<'_>) -> Result<Self, LoadError> {
+        unreachable!("it is written only")
+    }
+}
+
+/// To look at all primitives of all leaves would take many minutes.
+#[test]
+fn leaves_that_repeat_primitives_are_refused_at_once() {
+    let count = 1 << 18;
+    let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
+    let mesh =
+        Mesh { name: "repeated", positions: positions.to_vec(), triangles: vec![[0, 1, 2]; count] };
+    let bytes = saved(&built::<Repeating>(&mesh, Quality::Medium));
+    let error = load::<Bvh>(&bytes).unwrap_err().to_string();
+    assert_eq!(error, "a saved structure is not valid: slot 0 is in two leaves");
 }
 
 #[test]
