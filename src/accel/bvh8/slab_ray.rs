@@ -7,6 +7,9 @@ use crate::simd::Simd;
 
 /// Width times inverse direction up to which the products below stay far from overflow. Beyond it
 /// an axis is one along which the ray hardly moves, or not at all: see [`SlabRay::cut`].
+///
+/// No terms serve where an inverse direction is 0, as that of an infinite direction: its product with the infinite
+/// planes of a child that is not there is no number, and the ray would enter it.
 pub(super) const LARGEST_PRODUCT: f32 = 1e37;
 
 /// The product that takes the place of those beyond.
@@ -65,13 +68,14 @@ impl SlabRay {
     pub(super) const VACANT: Self =
         Self { inv_dir: Vec3A::ZERO, near: Vec3A::ZERO, far: Vec3A::ZERO, octant: 0 };
 
-    /// The terms of a usual ray, or `None` if it hardly moves along some axis.
+    /// The terms of a usual ray, or `None` if it hardly moves along some axis, or infinitely fast.
     #[inline(always)]
     pub(super) fn new<S: Simd>(ray: &Ray, box_ray: &BoxRay, padding: Padding) -> Option<Self> {
         let (terms, reach, octant) = Self::usual_terms(ray, box_ray, padding);
         let product = reach * terms.inv_dir.abs();
-        let usual = product.cmple(Vec3A::splat(LARGEST_PRODUCT)).all();
-        usual.then(|| Self::of_terms::<S>(terms, product, octant))
+        let moves = Vec3A::ZERO.cmplt(terms.inv_dir.abs());
+        let usual = product.cmple(Vec3A::splat(LARGEST_PRODUCT)) & moves;
+        usual.all().then(|| Self::of_terms::<S>(terms, product, octant))
     }
 
     /// The usual terms of a ray, or else those of one that hardly moves along some axes, or `None`.
@@ -161,6 +165,7 @@ impl<L: Lanes> SlabTerms<L> {
         let (farthest, largest) = (L::splat(FARTHEST), L::splat(LARGEST_PRODUCT));
         let of_cut = L::splat(CUT_PRODUCT);
         let product = reach * inv_dir.abs();
+        let is_usual = product.le(largest) & L::splat(0.0).lt(inv_dir.abs());
         let still = largest.lt(product).bits();
         let out = (reach * L::splat(SLACK)).flipped_by(inv_dir);
         let terms = Self {
@@ -171,7 +176,7 @@ impl<L: Lanes> SlabTerms<L> {
         CutTerms {
             terms,
             product: of_cut.select(still, product),
-            bounded: product.le(largest).bits() | still & reach.le(farthest).bits(),
+            bounded: is_usual.bits() | still & reach.le(farthest).bits(),
             gives_bound: product.le(farthest).bits(),
         }
     }
@@ -280,5 +285,10 @@ pub(super) mod tests {
         assert!(!taken(Vec3::ZERO, Vec3::new(1e-35, 0.0, 0.0)), "hardly moves");
         assert!(!taken(Vec3::new(0.0, 1e30, 0.0), Vec3::X), "too far away");
         assert!(!taken(Vec3::new(0.0, f32::NAN, 0.0), Vec3::X), "is nowhere");
+        for infinite in [f32::INFINITY, f32::NEG_INFINITY] {
+            assert!(!taken(Vec3::ZERO, Vec3::splat(infinite)), "is everywhere at once");
+            assert!(!taken(Vec3::ZERO, Vec3::new(0.5, infinite, 0.5)), "is so along an axis");
+            assert!(!taken(Vec3::ZERO, Vec3::new(0.0, infinite, 0.5)), "and stays along another");
+        }
     }
 }

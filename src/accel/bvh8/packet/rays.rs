@@ -94,7 +94,8 @@ impl<S: Simd, R: Row<N>, const N: usize> Packet<S, R, N> {
             let (near, far) = if backwards { (minus, plus) } else { (plus, minus) };
             let terms = SlabTerms { inv_dir: inv_dir[axis], near, far };
             let product = padding.reach(origin[axis], pad) * inv_dir[axis].abs();
-            fits &= product.le(R::splat(LARGEST_PRODUCT)).bits();
+            let fits_axis = product.le(R::splat(LARGEST_PRODUCT)) & zero.lt(inv_dir[axis].abs());
+            fits &= fits_axis.bits();
             self.near[axis] = near;
             self.far[axis] = far;
             self.set_slab(axis, terms, product);

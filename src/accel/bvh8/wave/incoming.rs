@@ -39,7 +39,7 @@ pub(super) struct Eight {
 pub(super) struct Terms<S: Simd> {
     near: [S::F8; PACK],
     far: [S::F8; PACK],
-    /// A bit for each ray that has usual terms, because it moves enough along all axes.
+    /// A bit for each ray that has usual terms, because it moves enough along all axes, and not infinitely fast.
     pub(super) usual: u32,
 }
 
@@ -113,7 +113,8 @@ impl<S: Simd> Terms<S> {
                 far: plus.select(backwards, minus),
             };
             let product = padding.reach(origin[axis], pad) * inv_dir[axis].abs();
-            usual &= product.le(S::F8::splat(LARGEST_PRODUCT)).bits();
+            let is_usual = product.le(S::F8::splat(LARGEST_PRODUCT)) & zero.lt(inv_dir[axis].abs());
+            usual &= is_usual.bits();
             (near[axis], far[axis]) = terms.offsets::<S>(product);
             low[axis] = far[axis].select(backwards, near[axis]);
             high[axis] = near[axis].select(backwards, far[axis]);
@@ -244,6 +245,8 @@ mod tests {
                 let still = random.below(20);
                 if still < 3 {
                     dir[still as usize] = STILL[random.below(8) as usize];
+                } else if still == 3 {
+                    dir[random.below(3) as usize] = f32::NEG_INFINITY;
                 }
                 let end = if random.below(4) > 0 { 9.0 * random.next_f32() } else { f32::INFINITY };
                 Ray::with_interval(origin, dir, random.next_f32(), end)

@@ -161,6 +161,8 @@ fn rays_without_terms_make_none() {
     assert!(!makes(|ray| ray.dir.x = 0.0));
     assert!(!makes(|ray| ray.dir.x = 1e-35));
     assert!(!makes(|ray| ray.dir.y = f32::NAN));
+    assert!(!makes(|ray| ray.dir.y = f32::INFINITY));
+    assert!(!makes(|ray| ray.dir = Vec3::INFINITY));
     assert!(!makes(|ray| ray.origin.y = f32::NAN));
     assert!(!makes(|ray| ray.origin.y = 1e30));
     assert!(!makes(|ray| ray.t_max = f32::NAN));
