@@ -124,7 +124,9 @@ impl<L: Lanes> ShearedRay<L> {
     fn new(origin: Lanes3<L>, dir: Lanes3<L>, inv_dir: L) -> Self {
         let one = L::splat(1.0);
         let mut along = [inv_dir, one];
-        let tiny = dir[2].abs().lt(L::splat(f32::MIN_POSITIVE)).bits();
+        // A NaN, too: `inv_dir` may have been cut to a number.
+        let all = u32::MAX >> (32 - L::Mask::LANES);
+        let tiny = L::splat(f32::MIN_POSITIVE).le(dir[2].abs()).bits() ^ all;
         if tiny != 0 {
             // A power of two changes nothing but the range.
             let factor = L::splat(LARGE);

@@ -21,6 +21,11 @@ impl Single {
         answer: &mut Q::Answer,
     ) {
         let t_max = query.end(ray, answer);
+        // The smaller or the larger of a number and what is none is the number: a ray with such an end would hit.
+        let searches = ray.t_min <= t_max;
+        if !searches {
+            return;
+        }
         let (near, far) = box_ray.interval(&instance.bounds);
         let in_box = [near.max(ray.t_min), far.min(t_max)];
         let reach = Reach { of_ray: [ray.t_min, t_max], in_box };
