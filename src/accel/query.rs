@@ -81,7 +81,8 @@ pub trait Query: Copy + Send + Sync {
     fn merge(&self, answer: &mut Self::Answer, of_object: &Self::Answer, object: u32, begin: f32);
 }
 
-/// The first hit in the order `(t, object, prim)`, or [`Hit::MISS`].
+/// The first hit in the order `(t, object, prim)`, or [`Hit::MISS`]. Within one object of a single shape, it is the
+/// first crossing of its formula: see [`Hit`].
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ClosestHit;
 

@@ -10,7 +10,9 @@ pub const NONE: u32 = u32::MAX;
 /// The closest hit of a ray: the smallest `(t, object, prim)` in this order.
 ///
 /// The ids break ties, so that the closest hit is one and the same for every structure, whatever
-/// the order in which it offers its primitives.
+/// the order in which it offers its primitives. Within one object of a single shape it is the first crossing of its
+/// formula: where the two crossings of a cylinder are rounded to one `t`, the face by which the ray enters, even if the
+/// other one has the smaller `prim`.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Hit {
