@@ -5,8 +5,8 @@
 //! (`packet/`) and in waves where they are not (`wave/`), which `kernels.rs` decides; where
 //! primitives are not tested in packs, a stream of rays is brought to each node and to each primitive
 //! that any of them meets (`stream.rs`). A single ray is walked by [`Accel::traverse`]. So are the
-//! rays that the kernels' terms cannot take, and those of queries that want every hit. Where primitives
-//! move, the boxes follow (`refit.rs`).
+//! rays that the kernels' terms cannot take, those of queries that want every hit, and those in trees of
+//! very many levels. Where primitives move, the boxes follow (`refit.rs`).
 //!
 //! * *Idea*: What a ray costs is mostly waiting: for the next node, for a branch. Eight boxes are tested by one
 //!   instruction, 16 or 32 rays go together where they can, and where they cannot others are searched meanwhile.
@@ -62,6 +62,10 @@ const USUAL_HEIGHT: usize = 64;
 /// billions. In deeper ones, streams of rays are brought to each node.
 const HEIGHT: usize = 128;
 
+/// The most levels of nodes that streams go down. Each level takes memory for eight lists of rays, so that this many
+/// take 16 MiB. In deeper trees, which no builder makes over usual boxes, each ray is walked by itself.
+const STREAM_LEVELS: usize = 512;
+
 /// A wide tree of boxes.
 #[derive(Clone, Debug)]
 pub struct Bvh8 {
@@ -69,8 +73,7 @@ pub struct Bvh8 {
     nodes: Vec<Node>,
     /// Slots from the beginning of one block to that of the next.
     block: usize,
-    /// The most entries that a stack holds at once, whatever the order of the children.
-    need: usize,
+    height: Height,
     /// What was needed to follow primitives that move.
     memory: Memory,
 }
@@ -90,13 +93,14 @@ impl Accel for Bvh8 {
         let leaves = Leaves::of(build.config, build.grain);
         if primitives.count() == 0 {
             let memory = Memory::default();
-            let accel = Self { nodes: Vec::new(), block: leaves.block, need: 0, memory };
+            let height = Height::default();
+            let accel = Self { nodes: Vec::new(), block: leaves.block, height, memory };
             return Built { accel, order: None };
         }
         let (wide, references) = wide_tree(primitives, leaves, build, cuts(build.grain));
-        let need = stack_need(&wide.nodes);
+        let height = Height::of(&wide.nodes);
         let memory = Memory::default();
-        let accel = Self { nodes: wide.nodes, block: leaves.block, need, memory };
+        let accel = Self { nodes: wide.nodes, block: leaves.block, height, memory };
         let order = Order::of(wide.order, references, primitives.count());
         Built { accel, order: Some(order) }
     }
@@ -151,11 +155,13 @@ impl Accel for Bvh8 {
     ) {
         let one_by_one =
             const { <P::Packs as Packs>::GRAIN > 1 && matches!(Q::SEARCH, Search::All) };
-        if self.nodes.is_empty() || one_by_one {
+        let in_packs = const { <P::Packs as Packs>::GRAIN > 1 } && self.height.need < HEIGHT;
+        let too_deep = !in_packs && self.height.levels > STREAM_LEVELS;
+        if self.nodes.is_empty() || one_by_one || too_deep {
             for (ray, answer) in rays.iter().zip(answers) {
                 *answer = search_one(self, query, primitives, ray, counters);
             }
-        } else if const { <P::Packs as Packs>::GRAIN > 1 } && self.need < HEIGHT {
+        } else if in_packs {
             kernels::search(self, query, primitives, rays, answers, scratch, counters);
         } else {
             stream::search(self, query, primitives, rays, answers, scratch, counters);
@@ -217,17 +223,32 @@ fn wide_tree(
     (wide, tree.primitive_indices.len())
 }
 
-/// The most entries that a subtree can put on a stack: all of a node's children, or all but one
-/// and what that one puts there. Children have larger indices than their parents.
-fn stack_need(nodes: &[Node]) -> usize {
-    let mut need = vec![0; nodes.len()];
-    for (index, node) in nodes.iter().enumerate().rev() {
-        let inner = node.present().filter(|(_, child)| !child.is_leaf());
-        let deepest = inner.map(|(_, child)| need[child.index()]).max().unwrap_or(0);
-        let width = node.present().count();
-        need[index] = width.max(width - 1 + deepest);
+/// How high a tree is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Height {
+    /// The most entries that a stack holds at once, whatever the order of the children.
+    need: usize,
+    /// Levels of nodes.
+    levels: usize,
+}
+
+impl Height {
+    /// Of a subtree's entries on a stack: all of a node's children, or all but one and what that one
+    /// puts there. Children have larger indices than their parents.
+    fn of(nodes: &[Node]) -> Self {
+        let mut heights = vec![Self::default(); nodes.len()];
+        for (index, node) in nodes.iter().enumerate().rev() {
+            let mut below = Self::default();
+            for (_, child) in node.present().filter(|(_, child)| !child.is_leaf()) {
+                let Self { need, levels } = heights[child.index()];
+                below = Self { need: below.need.max(need), levels: below.levels.max(levels) };
+            }
+            let width = node.present().count();
+            heights[index] =
+                Self { need: width.max(width - 1 + below.need), levels: below.levels + 1 };
+        }
+        heights.first().copied().unwrap_or_default()
     }
-    need.first().copied().unwrap_or(0)
 }
 
 /// A ray as [`Accel::traverse`] tests it against eight boxes: exactly [`BoxRay::interval`].

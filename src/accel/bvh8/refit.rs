@@ -13,7 +13,7 @@ use crate::simd::{Kernel, Row as _, Simd, dispatch};
 use super::collapse::Wide;
 use super::node::{Child, FAR, Node, WIDTH, near_planes};
 use super::plan::Leaves;
-use super::{Bvh8, stack_need, wide_tree};
+use super::{Bvh8, Height, wide_tree};
 
 impl FitNode for Node {
     const WIDTH: usize = WIDTH;
@@ -78,7 +78,7 @@ pub(super) fn refit<P: Primitives>(
     let leader = Leading { primitives, config: build.config, grain: build.grain, leaves };
     let followed = follow(update, moved, (nodes, memory), &leader);
     if update != Update::Refit {
-        tree.need = stack_need(&tree.nodes);
+        tree.height = Height::of(&tree.nodes);
     }
     followed
 }

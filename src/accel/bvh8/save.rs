@@ -13,7 +13,7 @@ use crate::accel::{Bounded, Decoder, Encoder, LoadError, PACK, Portable, Slots};
 use crate::math::NONE;
 
 use super::node::{Child, Node, WIDTH};
-use super::{Bvh8, stack_need};
+use super::{Bvh8, Height};
 
 impl Portable for Bvh8 {
     const NAME: &'static str = "bvh8";
@@ -46,8 +46,8 @@ impl Portable for Bvh8 {
             }
         }
         family.finish()?;
-        let need = stack_need(&nodes);
-        Ok(Self { nodes, block, need, memory: Memory::default() })
+        let height = Height::of(&nodes);
+        Ok(Self { nodes, block, height, memory: Memory::default() })
     }
 
     fn is_plainly_sound(&self, primitives: &impl Bounded, order: &[u32]) -> bool {

@@ -261,3 +261,57 @@ fn entered<S: Simd>(node: &Node, slab: &SlabRay, t_min: f32, end: f32) -> u32 {
     );
     begin.le(leave).bits()
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::super::{Height, STREAM_LEVELS};
+    use super::*;
+    use crate::accel::{Accel, AnyHit, ClosestHit, IntoPrimitives, PACK};
+    use crate::counters::NoCounters;
+    use crate::math::{Hit, NONE};
+    use crate::shapes::TriangleMesh;
+
+    /// A chain of nodes, each with a triangle and the next node: what no builder makes, but a file may hold.
+    fn search_chain(levels: usize) -> usize {
+        let corner = |i: usize| Vec3::new(0.0, 0.0, i as f32);
+        let positions: Vec<Vec3> = (0..levels)
+            .flat_map(|i| [corner(i), corner(i) + Vec3::X, corner(i) + Vec3::Y])
+            .collect();
+        let triangles: Vec<[u32; 3]> =
+            (0..levels as u32).map(|i| [0, 1, 2].map(|c| 3 * i + c)).collect();
+        let order: Vec<u32> = (0..(levels * PACK) as u32)
+            .map(|slot| if slot % 8 == 0 { slot / 8 } else { NONE })
+            .collect();
+        let set = TriangleMesh::new(&positions, &triangles).into_primitives(Some(&order));
+        let mut nodes = vec![Node::EMPTY; levels];
+        for (i, node) in nodes.iter_mut().enumerate() {
+            let [low, high] = [corner(i), corner(levels) + Vec3::ONE].map(Vec3A::from);
+            let bounds = crate::math::Aabb { min: low, max: high };
+            node.set(0, Child::leaf(i, 1), &bounds);
+            if i + 1 < levels {
+                node.set(1, Child::node(i + 1), &bounds);
+            }
+            node.sort();
+        }
+        let height = Height::of(&nodes);
+        assert_eq!(height, Height { need: levels, levels });
+        let tree = Bvh8 { nodes, block: PACK, height, memory: Default::default() };
+        let rays = [Ray::new(Vec3::new(0.25, 0.25, 2.0 * levels as f32), Vec3::NEG_Z); RAYS];
+        let (mut hits, mut blocked) = ([Hit::MISS; RAYS], [false; RAYS]);
+        let (mut scratch, counters) = (Scratch::default(), &mut NoCounters);
+        tree.search(&ClosestHit, &set, &rays, &mut hits, &mut scratch, counters);
+        tree.search(&AnyHit, &set, &rays, &mut blocked, &mut scratch, counters);
+        assert!(hits.iter().all(|hit| hit.prim == levels as u32 - 1));
+        assert!(blocked.iter().all(|&blocked| blocked));
+        scratch.lend(|memory: &mut Memory, _| memory.lists.len() * size_of::<u32>())
+    }
+
+    #[test]
+    fn streams_take_a_limited_memory() {
+        let usual = search_chain(STREAM_LEVELS);
+        assert!(usual > 0 && usual <= 17 << 20, "{usual} bytes");
+        assert_eq!(search_chain(STREAM_LEVELS + 1), 0, "rays are walked one by one");
+    }
+}
