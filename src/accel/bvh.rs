@@ -30,6 +30,7 @@ use crate::math::slab::crossing;
 use crate::math::{Aabb, BoxRay, NONE, Ray};
 
 use super::builder::{Builder, TreeChoice, cuts, reinsert};
+use super::order::in_32_bits;
 use super::refit::Memory;
 use super::{
     Accel, Bounded, Build, Built, Followed, Moved, OptionInfo, Order, Primitives, Tree, Update,
@@ -238,7 +239,7 @@ fn lay_out(tree: &Bvh2, grain: u32) -> (Bvh, Vec<u32>) {
     while let Some((from, parent)) = open.pop() {
         let child = if from.is_leaf() {
             order.resize(order.len().next_multiple_of(grain as usize), NONE);
-            let child = Child { first: order.len() as u32, count: from.prim_count };
+            let child = Child { first: in_32_bits(order.len()), count: from.prim_count };
             let range = from.first_index as usize..(from.first_index + from.prim_count) as usize;
             order.extend_from_slice(&tree.primitive_indices[range]);
             child
@@ -249,7 +250,7 @@ fn lay_out(tree: &Bvh2, grain: u32) -> (Bvh, Vec<u32>) {
             let planes = planes_of(&bounds_of(left), &bounds_of(right));
             nodes.push(Node { planes, children: [Child::default(); 2] });
             open.extend([(right, Some((index, 1))), (left, Some((index, 0)))]);
-            Child { first: index as u32, count: 0 }
+            Child { first: in_32_bits(index), count: 0 }
         };
         match parent {
             Some((node, side)) => nodes[node].children[side] = child,

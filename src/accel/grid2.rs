@@ -28,6 +28,7 @@ use crate::math::{Aabb, BoxRay, Ray};
 use super::build::boxes_of;
 use super::cells::{Boxes, CellLists, Filed, ListBuilder, Mailbox, PlaneRay, Raster, walk};
 use super::grid::Cell;
+use super::order::in_32_bits;
 use super::{
     Accel, Allowed, Bounded, Build, Built, OptionInfo, RegionForm, Regions, StructureShape,
 };
@@ -179,7 +180,7 @@ impl TwoLevelGrid {
         let mut cells = Vec::new();
         let coarse = stages.time("lists", || {
             let place = |part: &Option<(Raster, Filed)>| {
-                let first = cells.len() as u32;
+                let first = in_32_bits(cells.len());
                 let Some((raster, filed)) = part else { return Coarse { first, parts: [0; 3] } };
                 cells.extend(filed.lists().map(|ids| Cell::new(&lists.add(ids))));
                 Coarse { first, parts: raster.0.map(|axis| axis.cells as u16) }

@@ -74,6 +74,7 @@ pub use none::Exhaustive;
 pub use octree::Octree;
 pub use options::{Allowed, BuildOptions, OptionError, OptionInfo};
 pub use order::Order;
+pub(crate) use order::in_32_bits;
 pub use packs::{NoPacks, NoRay, PACK, PackHits, Packs};
 pub use query::{AllHits, Answers, AnyHit, ClosestHit, Filtered, Query, QueryKind, Search};
 pub use refit::{Followed, Moved, Update};

@@ -25,6 +25,7 @@ use crate::math::{Aabb, BoxRay, Ray};
 
 use super::build::boxes_of;
 use super::cells::{CellLists, ListBuilder, MOST_REFERENCES, Mailbox, PlaneRay, references_option};
+use super::order::in_32_bits;
 use super::{Accel, Allowed, Bounded, Build, Built, OptionInfo, Regions, StructureShape, Tree};
 
 /// The most steps from the root to a leaf.
@@ -233,7 +234,7 @@ fn lay_out(cut: &Cut, place: usize, nodes: &mut Vec<Node>, lists: &mut ListBuild
         Cut::Leaf(ids) => nodes[place] = Node::leaf(&lists.add(ids)),
         Cut::Parts(planes, parts) => {
             let first = nodes.len();
-            nodes[place] = Node { planes: *planes, parts: first as u32 };
+            nodes[place] = Node { planes: *planes, parts: in_32_bits(first) };
             nodes.extend([Node::leaf(&(0..0)); 8]);
             for (part, place) in parts.iter().zip(first..) {
                 lay_out(part, place, nodes, lists);

@@ -24,6 +24,20 @@ pub enum Order {
     References(Vec<u32>),
 }
 
+/// A slot, or how many there are, or another place of a structure, in the 32 bits in which structures keep it.
+///
+/// # Panics
+/// If it does not fit.
+#[inline]
+pub(crate) fn in_32_bits(number: usize) -> u32 {
+    match u32::try_from(number) {
+        Ok(number) => number,
+        Err(_) => {
+            panic!("the structure would need {number} slots, and has numbers for {NONE} only")
+        }
+    }
+}
+
 impl Order {
     /// What so many primitives have, to which leaves refer so many times.
     pub(super) fn of(slots: Vec<u32>, references: usize, primitives: u32) -> Self {
@@ -122,6 +136,18 @@ impl Order {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_of_slots_have_32_bits() {
+        assert_eq!([0, 7, u32::MAX as usize].map(in_32_bits), [0, 7, u32::MAX]);
+    }
+
+    #[cfg(target_pointer_width = "64")]
+    #[test]
+    #[should_panic(expected = "the structure would need 4294967297 slots")]
+    fn numbers_of_slots_are_not_cut() {
+        in_32_bits((1 << 32) + 1);
+    }
 
     #[test]
     fn slots_are_empty_among_several_lanes() {

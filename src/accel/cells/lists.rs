@@ -11,10 +11,12 @@ use std::ops::{ControlFlow, Range};
 use crate::math::NONE;
 
 use super::super::Order;
+use super::super::order::in_32_bits;
 use super::Mailbox;
 
-/// The most references of all lists together. With lanes left empty, they are still far fewer than slots
-/// have numbers.
+/// The most references of all lists together, unless there are more primitives. Lists that begin at multiples of eight
+/// slots take up to eight slots a reference: half as many as slots have numbers. Builds over more primitives may need
+/// more slots, and then panic.
 pub(in super::super) const MOST_REFERENCES: u64 = 1 << 28;
 
 /// The lists of all cells.
@@ -89,9 +91,9 @@ impl ListBuilder {
         if !ids.is_empty() {
             self.slots.resize(self.slots.len().next_multiple_of(self.grain), NONE);
         }
-        let first = self.slots.len() as u32;
+        let first = in_32_bits(self.slots.len());
         self.slots.extend_from_slice(ids);
-        first..self.slots.len() as u32
+        first..in_32_bits(self.slots.len())
     }
 
     /// The lists, and the order of the slots.

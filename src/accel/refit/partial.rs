@@ -20,6 +20,7 @@ use rayon::prelude::*;
 
 use crate::math::NONE;
 
+use super::super::order::in_32_bits;
 use super::{Below, FitNode, Grown, Leader};
 
 /// By how much the cost of a part may grow before it is built anew.
@@ -205,7 +206,7 @@ impl<N: FitNode> Layout<N> {
                     Some(Below::Slots(range)) => {
                         let first = layout.begin(grain);
                         layout.order.extend(range);
-                        N::leaf(first..layout.order.len() as u32, block)
+                        N::leaf(first..in_32_bits(layout.order.len()), block)
                     }
                     None => continue,
                 };

@@ -13,6 +13,7 @@ use std::io::{self, Read, Write};
 
 use crate::math::NONE;
 
+use super::order::in_32_bits;
 use super::{Accel, Bounded, Indexed, Order, Packs, Primitives};
 
 pub(super) use check::{Nodes, is_plainly_sound};
@@ -170,7 +171,7 @@ impl<P: Primitives, A: Portable> Indexed<P, A> {
                 "a structure whose leaves share primitives cannot be saved: choose another builder, as `builder=sah`",
             ));
         }
-        out.u32(order.len() as u32)?;
+        out.u32(in_32_bits(order.len()))?;
         out.list(order, |&id| [id])?;
         self.accel().write(out)
     }

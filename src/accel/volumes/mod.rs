@@ -21,6 +21,7 @@ use crate::math::{Aabb, BoxRay, NONE, Ray};
 
 use super::build::boxes_of;
 use super::builder::{Builder, TreeChoice};
+use super::order::in_32_bits;
 use super::{Accel, Bounded, Build, Built, OptionInfo, Order, RegionForm, Regions, StructureShape};
 
 pub use ball::Ball;
@@ -190,8 +191,11 @@ fn lay_out<V: Volume>(tree: &Bvh2, boxes: &[Aabb], grain: u32) -> Built<VolumeTr
         match step {
             Step::Enter(from, parent) if from.is_leaf() => {
                 order.resize(order.len().next_multiple_of(grain as usize), NONE);
-                let child =
-                    Child { first: order.len() as u32, count: from.prim_count, ..Child::default() };
+                let child = Child {
+                    first: in_32_bits(order.len()),
+                    count: from.prim_count,
+                    ..Child::default()
+                };
                 open.push(Step::Leave(from, parent, child, order.len()));
                 let first = from.first_index as usize;
                 let own = first..first + from.prim_count as usize;
@@ -200,7 +204,7 @@ fn lay_out<V: Volume>(tree: &Bvh2, boxes: &[Aabb], grain: u32) -> Built<VolumeTr
             Step::Enter(from, parent) => {
                 let place = nodes.len();
                 nodes.push([Child::default(); 2]);
-                let child = Child { first: place as u32, ..Child::default() };
+                let child = Child { first: in_32_bits(place), ..Child::default() };
                 open.push(Step::Leave(from, parent, child, order.len()));
                 let first = from.first_index as usize;
                 let below = |side| Step::Enter(&tree.nodes[first + side], Some((place, side)));

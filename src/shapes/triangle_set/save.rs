@@ -5,7 +5,7 @@ use std::io;
 use glam::{Vec3, Vec3A};
 use rayon::prelude::*;
 
-use crate::accel::{Decoder, Encoder, LoadError, PACK, PortablePrimitives};
+use crate::accel::{Decoder, Encoder, LoadError, PACK, PortablePrimitives, in_32_bits};
 use crate::math::Padding;
 use crate::shapes::Triangle;
 
@@ -16,7 +16,7 @@ impl PortablePrimitives for TriangleSet {
     const NAME: &'static str = "triangles";
 
     fn slot_count(&self) -> u32 {
-        (self.packs.len() * PACK) as u32
+        in_32_bits(self.packs.len() * PACK)
     }
 
     fn id(&self, slot: u32) -> u32 {
