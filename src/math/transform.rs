@@ -3,7 +3,7 @@
 use glam::{DAffine3, DMat3, DVec3, Vec3, Vec3A, Vec3Swizzles};
 use thiserror::Error;
 
-use super::{Aabb, Ray, UNIT_ROUNDOFF};
+use super::{Aabb, Ray, UNIT_ROUNDOFF, round_down, round_up};
 
 /// Why a matrix cannot carry an object.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
@@ -147,17 +147,9 @@ impl RayToObject {
 
 /// The smallest `f32` box that contains an `f64` one.
 pub(crate) fn outward_box(low: DVec3, high: DVec3) -> Aabb {
-    let down = |x: f64| {
-        let y = x as f32;
-        if f64::from(y) > x { y.next_down() } else { y }
-    };
-    let up = |x: f64| {
-        let y = x as f32;
-        if f64::from(y) < x { y.next_up() } else { y }
-    };
     Aabb {
-        min: Vec3A::new(down(low.x), down(low.y), down(low.z)),
-        max: Vec3A::new(up(high.x), up(high.y), up(high.z)),
+        min: Vec3A::from_array(low.to_array().map(round_down)),
+        max: Vec3A::from_array(high.to_array().map(round_up)),
     }
 }
 

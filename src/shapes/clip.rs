@@ -4,7 +4,7 @@
 use glam::{DVec3, Vec3A};
 use smallvec::SmallVec;
 
-use crate::math::Aabb;
+use crate::math::{Aabb, round_down, round_up};
 
 /// A triangle cut by six planes has at most nine corners.
 type Polygon = SmallVec<[DVec3; 9]>;
@@ -38,17 +38,9 @@ pub(super) fn bounds_within(corners: [Vec3A; 3], bounds: &Aabb) -> Aabb {
     let (min, max) = (bounds.min.as_dvec3() - margin, bounds.max.as_dvec3() + margin);
     let polygon = part_within(corners.map(Vec3A::as_dvec3), min, max);
     polygon.iter().fold(Aabb::EMPTY, |around, &point| Aabb {
-        min: around.min.min(rounded_down(point - margin)),
-        max: around.max.max(-rounded_down(-point - margin)),
+        min: around.min.min(Vec3A::from_array((point - margin).to_array().map(round_down))),
+        max: around.max.max(Vec3A::from_array((point + margin).to_array().map(round_up))),
     })
-}
-
-/// The largest `f32` that are not above some coordinates.
-fn rounded_down(point: DVec3) -> Vec3A {
-    Vec3A::from_array(point.to_array().map(|exact| {
-        let nearest = exact as f32;
-        if f64::from(nearest) > exact { nearest.next_down() } else { nearest }
-    }))
 }
 
 /// The part of a triangle between two corners of a box; a polygon without corners if there is none.

@@ -15,7 +15,7 @@
 use glam::Vec3;
 use rayon::prelude::*;
 
-use crate::math::{Aabb, BoxRay, NONE, Ray};
+use crate::math::{Aabb, BoxRay, NONE, Ray, round_up};
 
 use super::super::RegionForm;
 use super::super::sphere_ray::SphereRay;
@@ -47,10 +47,7 @@ impl Volume for Ball {
         };
         let all = some.par_iter().with_min_len(1 << 12).filter(|&&index| index != NONE);
         let largest = all.map(square).reduce(|| 0.0, f64::max);
-        // Rounded up: to the next float if the nearest is less.
-        let exact = largest.sqrt() * (1.0 + 4.0 * f64::EPSILON);
-        let radius = exact as f32;
-        let radius = if f64::from(radius) < exact { radius.next_up() } else { radius };
+        let radius = round_up(largest.sqrt() * (1.0 + 4.0 * f64::EPSILON));
         Self { center, radius }
     }
 

@@ -20,7 +20,7 @@
 use glam::{DVec3, Vec3A};
 use rayon::prelude::*;
 
-use crate::math::{Aabb, BoxRay, NONE, Ray};
+use crate::math::{Aabb, BoxRay, NONE, Ray, round_down, round_up};
 
 use super::super::RegionForm;
 use super::super::sphere_ray::skips_nothing;
@@ -165,11 +165,7 @@ fn both(mut a: Spans, b: Spans) -> Spans {
 
 /// The next float that is not above, or not below.
 fn rounded([least, most]: [f64; 2]) -> [f32; 2] {
-    let (low, high) = (least as f32, most as f32);
-    [
-        if f64::from(low) > least { low.next_down() } else { low },
-        if f64::from(high) < most { high.next_up() } else { high },
-    ]
+    [round_down(least), round_up(most)]
 }
 
 impl Volume for KDop {
