@@ -273,14 +273,6 @@ pub enum Answers<'a> {
 }
 
 impl Answers<'_> {
-    /// The same memory, lent for a shorter time.
-    pub fn reborrow(&mut self) -> Answers<'_> {
-        match self {
-            Self::ClosestHit(hits) => Answers::ClosestHit(hits),
-            Self::AnyHit(blocked) => Answers::AnyHit(blocked),
-        }
-    }
-
     /// The memory for some of the rays, lent for a shorter time.
     ///
     /// # Panics

@@ -1,5 +1,6 @@
 //! Which instruction set runs, chosen once.
 
+use std::ffi::OsStr;
 use std::sync::OnceLock;
 
 use super::Simd;
@@ -67,16 +68,16 @@ impl Isa {
     /// If `SRT_ISA` names no instruction set, or one that is not present.
     pub fn chosen() -> Result<Self, IsaError> {
         static CHOSEN: OnceLock<Result<Isa, IsaError>> = OnceLock::new();
-        CHOSEN.get_or_init(|| Self::from_name(std::env::var(VARIABLE).ok().as_deref())).clone()
+        CHOSEN.get_or_init(|| Self::from_name(std::env::var_os(VARIABLE).as_deref())).clone()
     }
 
-    fn from_name(name: Option<&str>) -> Result<Self, IsaError> {
+    fn from_name(name: Option<&OsStr>) -> Result<Self, IsaError> {
         let widest = || Self::ALL.into_iter().rev().find(|isa| isa.is_present());
         let Some(name) = name.filter(|name| !name.is_empty()) else {
             return Ok(widest().unwrap_or(Self::Portable));
         };
         let isa = Self::ALL.into_iter().find(|isa| isa.name() == name);
-        let isa = isa.ok_or_else(|| IsaError::Unknown(name.to_owned()))?;
+        let isa = isa.ok_or_else(|| IsaError::Unknown(name.to_string_lossy().into_owned()))?;
         if isa.is_present() { Ok(isa) } else { Err(IsaError::Absent(isa)) }
     }
 }
@@ -115,4 +116,25 @@ fn chosen_or_widest() -> Isa {
         chosen.ok().filter(|isa| isa.is_present()).unwrap_or(Isa::Portable)
     };
     *ISA.get_or_init(choose)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_set_has_its_name_and_no_name_is_the_widest() {
+        let of = |name: &str| Isa::from_name(Some(OsStr::new(name)));
+        assert_eq!(of("portable"), Ok(Isa::Portable));
+        assert_eq!(of(""), Isa::from_name(None));
+        assert_eq!(of("sse9"), Err(IsaError::Unknown("sse9".to_owned())));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_name_that_is_no_text_is_unknown() {
+        use std::os::unix::ffi::OsStrExt;
+        let error = Isa::from_name(Some(OsStr::from_bytes(b"avx\xff"))).unwrap_err();
+        assert_eq!(error, IsaError::Unknown("avx\u{fffd}".to_owned()));
+    }
 }

@@ -13,7 +13,8 @@ pub enum Cache {
     Second,
 }
 
-/// Loads the cache lines of a value ahead of their use: of one that is smaller than a line, that with its first byte.
+/// Loads the cache lines of a value ahead of their use: that of its first byte, and of each byte that is a multiple of
+/// a line's length behind it. So of a value that does not begin where a line does, the last line may be left out.
 /// Does nothing where the processor has no such instruction.
 #[inline(always)]
 pub(crate) fn prefetch<T>(value: &T, into: Cache) {

@@ -1,4 +1,4 @@
-//! XXH64, by Yann Collet: a checksum as fast as memory. A changed byte always changes it.
+//! XXH64, by Yann Collet: a checksum as fast as memory. Of changes to the bytes, all but about one in 2⁶⁴ change it.
 //!
 //! Its description is `doc/xxhash_spec.md` of <https://github.com/Cyan4973/xxHash>. The seed is 0.
 

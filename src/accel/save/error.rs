@@ -2,6 +2,8 @@
 
 use std::io;
 
+use super::VERSION;
+
 /// Why nothing was loaded.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -16,7 +18,9 @@ pub enum LoadError {
     #[error("this is not a saved structure")]
     NotSaved,
     /// They are of another version of the format.
-    #[error("a saved structure has version {version} of the format, and only 3 can be read")]
+    #[error(
+        "a saved structure has version {version} of the format, and only {VERSION} can be read"
+    )]
     Version {
         /// Which.
         version: u32,
