@@ -2,13 +2,15 @@
 
 use std::time::{Duration, Instant};
 
+use rayon::prelude::*;
+
 use crate::counters::{Counters, Counts, NoCounters};
-use crate::math::{Aabb, Hit, Ray};
+use crate::math::{Aabb, Hit, NONE, Ray};
 
 use super::{
-    Accel, Answers, AnyHit, Build, BuildConfig, BuildStages, ClosestHit, IntoPrimitives, Moved,
-    Order, Packs, Primitives, Query, Regions, Scratch, StructureShape, Tracer, Tree, Update,
-    search_one,
+    Accel, Answers, AnyHit, Bounded, Build, BuildConfig, BuildStages, ClosestHit, IntoPrimitives,
+    Moved, Order, PACK, Packs, Primitives, Query, Regions, Scratch, StructureShape, Tracer, Tree,
+    Update, search_one,
 };
 
 /// What debug builds say of rays whose hits are not defined.
@@ -54,26 +56,32 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     ///
     /// # Panics
     /// If the structure's order ([`Built::order`](super::Built::order)) does not give each primitive
-    /// its slots.
+    /// its slots. If a primitive has a box that is empty or not finite. If primitives that were put into an order
+    /// before are no longer complete.
     #[must_use]
-    pub fn build(source: impl IntoPrimitives<Primitives = P>, config: &BuildConfig) -> Self {
+    pub fn build(mut source: impl IntoPrimitives<Primitives = P>, config: &BuildConfig) -> Self {
+        let check = Instant::now();
+        assert_sound_boxes(&source);
+        let mut check_time = check.elapsed();
         let start = Instant::now();
+        source.prepare();
         let mut stages = BuildStages::default();
         let grain = <P::Packs as Packs>::GRAIN;
         let built = A::build(&source, &mut Build { config, grain, stages: &mut stages });
         if stages.iter().next().is_none() {
             stages.add("structure", start.elapsed());
         }
-        let mut check_time = Duration::ZERO;
+        let mut order_check = Duration::ZERO;
         if let Some(order) = &built.order {
             // The check is no part of what a build costs.
             let check = Instant::now();
             order.assert_whole(source.count(), grain);
-            check_time = check.elapsed();
+            order_check = check.elapsed();
         }
+        check_time += order_check;
         let order = built.order.as_ref().map(Order::slots);
         let primitives = stages.time("primitives", || source.into_primitives(order));
-        let build_time = start.elapsed() - check_time;
+        let build_time = start.elapsed() - order_check;
         let config = config.clone();
         Self { primitives, accel: built.accel, build_time, check_time, stages, config }
     }
@@ -102,7 +110,8 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     /// Those of `change` and `settle`. Then neither primitives nor structure are of further use.
     ///
     /// # Panics
-    /// If the structure does not offer it: [`Accel::UPDATES`].
+    /// If the structure does not offer it: [`Accel::UPDATES`]. If a slot has moved that there is not. If the
+    /// structure's order ([`Followed::order`](super::Followed::order)) does not give each primitive its slots.
     pub fn refit<E>(
         &mut self,
         update: Update,
@@ -112,10 +121,14 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     ) -> Result<(), E> {
         assert!(A::UPDATES.contains(&update), "the structure cannot follow primitives in this way");
         change(&mut self.primitives)?;
+        if let Moved::Slots(moved) = moved {
+            assert_slots(moved, self.primitives.slots());
+        }
         let grain = <P::Packs as Packs>::GRAIN;
         let build = Build { config: &self.config, grain, stages: &mut BuildStages::default() };
         let followed = self.accel.refit(update, &self.primitives, moved, &build);
         if let Some(order) = &followed.order {
+            assert_keeps_all(order, &self.primitives);
             self.primitives.reorder(order);
         }
         settle(&mut self.primitives, &followed.bounds)
@@ -128,8 +141,9 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         Self { primitives, accel, build_time, check_time, stages, config }
     }
 
-    /// What searches.
-    pub(super) fn accel(&self) -> &A {
+    /// The structure, for what it offers beside searches. Its slots are those of [`primitives`](Self::primitives).
+    #[must_use]
+    pub fn accel(&self) -> &A {
         &self.accel
     }
 
@@ -145,14 +159,14 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
         &self.primitives
     }
 
-    /// How long the build took, with what it took to put the primitives into their order, and without the check of
-    /// that order.
+    /// How long the build took, with what it took to put the primitives into their order, and without the checks
+    /// of their boxes and of that order.
     #[must_use]
     pub fn build_time(&self) -> Duration {
         self.build_time
     }
 
-    /// How long the check of the order took, for those who time around the build.
+    /// How long the checks of the boxes and of the order took, for those who time around the build.
     #[must_use]
     pub fn check_time(&self) -> Duration {
         self.check_time
@@ -255,6 +269,51 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     }
 }
 
+/// Panics unless all boxes are finite and not empty; the message names the first that is not.
+fn assert_sound_boxes<B: Bounded>(source: &B) {
+    /// Boxes that a thread looks at together.
+    const CHUNK: usize = 1 << 12;
+    if const { B::SOUND_BOXES } {
+        return;
+    }
+    let is_sound = |index: &u32| {
+        let bounds = source.bounds(*index);
+        bounds.min.is_finite() && bounds.max.is_finite() && !bounds.is_empty()
+    };
+    let each = (0..source.count()).into_par_iter().with_min_len(CHUNK);
+    if let Some(index) = each.find_first(|index| !is_sound(index)) {
+        let Aabb { min, max } = source.bounds(index);
+        panic!("primitive {index} has no finite box: from {min} to {max}");
+    }
+}
+
+/// Panics if a structure is told of a slot that there is not.
+fn assert_slots(moved: &[u32], slots: u32) {
+    let wrong = moved.par_iter().with_min_len(1 << 14).find_first(|&&slot| slot >= slots);
+    if let Some(slot) = wrong {
+        panic!("slot {slot} has moved, and there are {slots}, counted from 0");
+    }
+}
+
+/// Panics unless an order of slots keeps each primitive.
+fn assert_keeps_all<P: Primitives>(order: &[u32], primitives: &P) {
+    let (slots, grain) = (primitives.slots(), <P::Packs as Packs>::GRAIN);
+    let named = order.par_iter().with_min_len(1 << 14).filter(|&&slot| slot != NONE);
+    if let Some(slot) = named.find_first(|&&slot| slot >= slots) {
+        panic!("after a refit the order names slot {slot}, and there are {slots}, counted from 0");
+    }
+    let count = if grain > 1 { primitives.count() } else { slots };
+    let primitive_in = |&slot: &u32| match slot {
+        NONE => NONE,
+        slot if grain > 1 => primitives.packs().id(slot as usize / PACK, slot as usize % PACK),
+        slot => slot,
+    };
+    let ids = Order::References(order.par_iter().map(primitive_in).collect());
+    if let Some(fault) = ids.fault(count, grain) {
+        panic!("after a refit {fault}");
+    }
+}
+
 impl<P: Primitives, A: Accel> Tracer for Indexed<P, A> {
     fn trace(
         &self,
@@ -277,3 +336,6 @@ impl<P: Primitives, A: Accel> Tracer for Indexed<P, A> {
         A::ONE_BY_ONE
     }
 }
+
+#[cfg(test)]
+mod tests;

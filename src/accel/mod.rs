@@ -88,6 +88,9 @@ pub use volumes::{Ball, BallTree, KDop, KDopTree, Volume, VolumeTree};
 
 /// A set of things with boxes: all that a structure is built from.
 pub trait Bounded: Sync {
+    /// Whether each box is known to be finite and not empty: then a build does not look at them all beforehand.
+    const SOUND_BOXES: bool = false;
+
     /// How many there are.
     fn count(&self) -> u32;
     /// The box of one of them. Never empty; all coordinates finite.
@@ -287,10 +290,27 @@ pub trait Primitives: Bounded + Send + Sync {
     /// The padding that every box test of these primitives uses.
     fn padding(&self) -> Padding;
 
+    /// How many slots there are, empty ones included: [`count`](Bounded::count), unless some stay empty or have
+    /// copies that are not counted.
+    fn slots(&self) -> u32 {
+        self.count()
+    }
+
     /// Puts the primitives into the order of a structure: slot `i` gets a copy of primitive
     /// `order[i]`, or stays empty. Hits go on to speak of ids: the indices before any reordering. If it
     /// is done again, `order` has slots as they are by then.
+    ///
+    /// # Panics
+    /// It may, if `order` names a slot that there is not.
     fn reorder(&mut self, order: &[u32]);
+
+    /// Makes the slots from 0 on, as many as there are primitives, hold each of them, as a build expects it. Primitives
+    /// that [`reorder`](Self::reorder) leaves like that, having neither empty slots nor copies that are not counted,
+    /// have nothing to do.
+    ///
+    /// # Panics
+    /// If an order has left a primitive out.
+    fn close_ranks(&mut self) {}
 
     /// Records in `answer` what some slots have for a ray that has not ended: every hit that counts,
     /// or enough of them to make the answer whole. `box_ray` is the ray with the padding of the
@@ -336,12 +356,23 @@ pub trait IntoPrimitives: Bounded {
     /// What rays are tested against.
     type Primitives: Primitives;
 
+    /// Makes ready for a build, which asks for the boxes of the indices up to [`count`](Bounded::count): primitives
+    /// that stand in the order of another structure [close their ranks](Primitives::close_ranks).
+    ///
+    /// # Panics
+    /// If that is not possible.
+    fn prepare(&mut self) {}
+
     /// The primitives in an order, as [`Primitives::reorder`] has it; none if they are to stay as they are.
     fn into_primitives(self, order: Option<&[u32]>) -> Self::Primitives;
 }
 
 impl<P: Primitives> IntoPrimitives for P {
     type Primitives = Self;
+
+    fn prepare(&mut self) {
+        self.close_ranks();
+    }
 
     fn into_primitives(mut self, order: Option<&[u32]>) -> Self {
         if let Some(order) = order {

@@ -13,6 +13,8 @@ use crate::shapes::TriangleSet;
 pub(super) struct OneByOne(pub(super) TriangleSet);
 
 impl Bounded for OneByOne {
+    const SOUND_BOXES: bool = TriangleSet::SOUND_BOXES;
+
     fn count(&self) -> u32 {
         self.0.count()
     }
@@ -35,6 +37,14 @@ impl Primitives for OneByOne {
 
     fn padding(&self) -> Padding {
         self.0.padding()
+    }
+
+    fn slots(&self) -> u32 {
+        self.0.slots()
+    }
+
+    fn close_ranks(&mut self) {
+        self.0.close_ranks();
     }
 
     fn reorder(&mut self, order: &[u32]) {

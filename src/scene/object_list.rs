@@ -241,6 +241,9 @@ fn push<T>(values: &mut Vec<T>, value: T) -> u32 {
 }
 
 impl<A: Accel> Bounded for ObjectList<A> {
+    // A scene with others is refused.
+    const SOUND_BOXES: bool = true;
+
     fn count(&self) -> u32 {
         self.objects.len() as u32
     }

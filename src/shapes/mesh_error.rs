@@ -40,7 +40,8 @@ pub enum MeshError {
         /// The longest side of the box around them.
         side: f32,
     },
-    /// Other triangles than those that are to be moved.
+    /// Another number of triangles than those that are to be moved. That the same vertices make each triangle is not
+    /// looked at.
     #[error("{triangles} triangles are none that have moved: there were {before}")]
     OtherTriangles {
         /// How many there are.

@@ -102,6 +102,8 @@ impl<'a> TriangleMesh<'a> {
 }
 
 impl Bounded for TriangleMesh<'_> {
+    const SOUND_BOXES: bool = true;
+
     fn count(&self) -> u32 {
         self.triangles.len() as u32
     }
@@ -130,11 +132,11 @@ impl IntoPrimitives for TriangleMesh<'_> {
     fn into_primitives(self, order: Option<&[u32]>) -> TriangleSet {
         let Some(order) = order else {
             let slots = self.triangles.len();
-            return TriangleSet::of_mesh(&self, slots, |slot| {
+            return TriangleSet::of_mesh(&self, true, slots, |slot| {
                 (slot < slots).then(|| (self.triangle(slot as u32), slot as u32))
             });
         };
-        TriangleSet::of_mesh(&self, order.len(), |slot| {
+        TriangleSet::of_mesh(&self, false, order.len(), |slot| {
             self.prefetch_ahead(order, slot);
             self.in_slot(order, slot)
         })
@@ -183,6 +185,16 @@ mod tests {
         assert_eq!(mesh.padding(), Primitives::padding(&packs));
     }
 
+    /// The triangles from the last to the first, three to a pack and the first of these twice.
+    fn in_disorder((positions, triangles): &Arrays) -> TriangleSet {
+        let mut set = TriangleSet::new(positions, triangles);
+        let last: Vec<_> = (0..set.count()).rev().collect();
+        let order: Vec<_> =
+            last.chunks(3).flat_map(|some| [some, &[NONE; 4], &some[..1]].concat()).collect();
+        set.reorder(&order);
+        set
+    }
+
     fn same<A: Accel>(arrays: &Arrays, options: &BuildOptions) {
         let (positions, triangles) = arrays;
         for quality in [Quality::Fastest, Quality::Medium] {
@@ -194,6 +206,10 @@ mod tests {
                 Indexed::build(TriangleSet::new(positions, triangles), &config);
             assert_eq!(kept(of_mesh.primitives()), kept(of_packs.primitives()));
             assert_eq!(of_mesh.tree(), of_packs.tree());
+            // In the order of another structure, with empty slots and copies.
+            let of_ordered: Indexed<_, A> = Indexed::build(in_disorder(arrays), &config);
+            assert_eq!(kept(of_mesh.primitives()), kept(of_ordered.primitives()));
+            assert_eq!(of_mesh.tree(), of_ordered.tree());
         }
     }
 

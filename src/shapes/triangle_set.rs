@@ -29,6 +29,8 @@ const LANES: usize = 4;
 #[derive(Clone, Debug)]
 pub struct TriangleSet {
     packs: Vec<Pack>,
+    /// Whether each triangle stands in the slot of its index, and in no other.
+    in_mesh_order: bool,
     count: u32,
     mean_vertex: Vec3A,
     padding: Padding,
@@ -71,13 +73,16 @@ impl TriangleSet {
     }
 
     /// Those of a mesh: `triangle` of a slot is the triangle there, and its index in the mesh; none leaves it empty.
+    /// `in_mesh_order` is whether that is the index of the slot.
     pub(super) fn of_mesh(
         mesh: &TriangleMesh<'_>,
+        in_mesh_order: bool,
         slots: usize,
         triangle: impl Fn(usize) -> Option<(Triangle, u32)> + Sync + Send,
     ) -> Self {
         Self {
             packs: pack(slots, triangle),
+            in_mesh_order,
             count: mesh.count(),
             mean_vertex: mesh.mean_point(),
             padding: mesh.padding(),
@@ -98,8 +103,8 @@ impl TriangleSet {
     /// [`settle`](Self::settle) is to follow.
     ///
     /// # Errors
-    /// As of [`try_new`](Self::try_new), without the range, or that there are not as many triangles. Then nothing has
-    /// moved.
+    /// As of [`try_new`](Self::try_new), without the range, or that there are not as many triangles; whether they are
+    /// the same ones is not looked at. Then nothing has moved.
     pub fn move_to(&mut self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Result<(), MeshError> {
         let extent = mean_and_bounds(positions, triangles);
         let (mean_vertex, _) = extent.ok_or_else(|| MeshError::of_first(positions, triangles))?;
@@ -122,8 +127,14 @@ impl TriangleSet {
     /// Takes note of the box around all triangles after they were moved.
     ///
     /// # Errors
-    /// If it is out of the range of triangles.
+    /// If it is out of the range of triangles, or if it is empty or not finite and there are triangles.
     pub fn settle(&mut self, bounds: &Aabb) -> Result<(), MeshError> {
+        // An empty box is not told from one with a NaN.
+        if bounds.is_empty() && self.count > 0 {
+            let Aabb { min, max } = bounds;
+            let largest = min.abs().max(max.abs()).max_element();
+            return Err(MeshError::OutOfRange { largest, side: bounds.size().max_element() });
+        }
         if let Some(error) = MeshError::of_bounds(bounds) {
             return Err(error);
         }
@@ -174,6 +185,9 @@ impl TriangleSet {
 }
 
 impl Bounded for TriangleSet {
+    // Of the corners, which are finite wherever they come from.
+    const SOUND_BOXES: bool = true;
+
     fn count(&self) -> u32 {
         self.count
     }
@@ -216,15 +230,50 @@ impl Primitives for TriangleSet {
         self.padding
     }
 
+    fn slots(&self) -> u32 {
+        (self.packs.len() * PACK) as u32
+    }
+
+    /// # Panics
+    /// If `order` names a slot that there is not.
     fn reorder(&mut self, order: &[u32]) {
+        let slots = self.packs.len() * PACK;
         let from = |slot: usize| order.get(slot).filter(|&&from| from != NONE);
         self.packs = pack(order.len(), |slot| {
             // Triangles come from all over the mesh: what is two packs ahead is on its way meanwhile.
             if let Some(&ahead) = from(slot + 2 * PACK) {
-                prefetch(&self.packs[ahead as usize / PACK], Cache::First);
+                if let Some(pack) = self.packs.get(ahead as usize / PACK) {
+                    prefetch(pack, Cache::First);
+                }
             }
-            from(slot).map(|&from| self.slot(from))
+            from(slot).map(|&from| {
+                assert!(
+                    (from as usize) < slots,
+                    "the order names slot {from}, and there are {slots}, counted from 0"
+                );
+                self.slot(from)
+            })
         });
+        self.in_mesh_order = false;
+    }
+
+    fn close_ranks(&mut self) {
+        if self.in_mesh_order {
+            return;
+        }
+        let mut order = vec![NONE; self.count as usize];
+        for (pack, first) in self.packs.iter().zip((0..).step_by(PACK)) {
+            for (&prim, slot) in pack.rows[PRIM].iter().zip(first..) {
+                if let Some(place) = order.get_mut(prim as usize) {
+                    *place = slot;
+                }
+            }
+        }
+        if let Some(lost) = order.iter().position(|&slot| slot == NONE) {
+            panic!("triangle {lost} of the mesh is in no slot: an order has left it out");
+        }
+        self.reorder(&order);
+        self.in_mesh_order = true;
     }
 
     #[inline]
@@ -373,7 +422,7 @@ impl Half<'_> {
                 u: candidates.u[lane] / det,
                 v: candidates.v[lane] / det,
             };
-            if t <= end && query.accepts(ray, &hit) {
+            if t <= end && (!Q::FILTERS || query.accepts(ray, &hit)) {
                 query.record(answer, &hit);
                 if const { matches!(Q::SEARCH, Search::First) } {
                     return true;
@@ -393,6 +442,8 @@ impl Half<'_> {
 mod tests {
     use super::*;
     use crate::simd::{Kernel, dispatch};
+
+    const POSITIONS: [Vec3; 4] = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
 
     struct Eight<'a>(&'a TriangleSet, u32);
 
@@ -430,5 +481,30 @@ mod tests {
         assert_eq!(set.mean_point(), Vec3A::new(0.5, 0.5, 0.25));
         assert_eq!(set.total_bounds().max, Vec3A::ONE);
         assert_eq!(TriangleSet::new(&positions, &[]).mean_point(), Vec3A::ZERO);
+    }
+
+    #[test]
+    #[should_panic(expected = "triangle 1 of the mesh is in no slot")]
+    fn what_an_order_has_left_out_is_not_built_over() {
+        let mut set = TriangleSet::new(&POSITIONS, &[[0, 1, 2], [1, 2, 3]]);
+        set.reorder(&[0, NONE, 0]);
+        set.close_ranks();
+    }
+
+    #[test]
+    #[should_panic(expected = "the order names slot 8, and there are 8, counted from 0")]
+    fn an_order_names_slots_that_there_are() {
+        TriangleSet::new(&POSITIONS, &[[0, 1, 2], [1, 2, 3]]).reorder(&[1, 0, 8]);
+    }
+
+    #[test]
+    fn triangles_do_not_settle_in_a_box_that_is_none() {
+        let mut set = TriangleSet::new(&POSITIONS, &[[0, 1, 2]]);
+        let half = Aabb { min: Vec3A::ZERO, max: Vec3A::new(1.0, f32::NAN, 1.0) };
+        for bounds in [half, Aabb::EMPTY, Aabb { min: Vec3A::ONE, max: Vec3A::ZERO }] {
+            let error = set.settle(&bounds).unwrap_err();
+            assert!(matches!(error, MeshError::OutOfRange { .. }), "{error}");
+        }
+        assert_eq!(TriangleSet::new(&[], &[]).settle(&Aabb::EMPTY), Ok(()));
     }
 }

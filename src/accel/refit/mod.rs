@@ -56,7 +56,8 @@ impl Update {
 pub enum Moved<'a> {
     /// Any of them.
     All,
-    /// Those in some slots, in any order: all slots of each, where leaves share primitives.
+    /// Those in some slots, in any order: all slots of each, where leaves share primitives. Empty slots mean nothing;
+    /// [`Indexed::refit`](super::Indexed::refit) panics at slots that there are not.
     Slots(&'a [u32]),
 }
 
@@ -66,7 +67,8 @@ pub struct Followed {
     /// The box around all primitives.
     pub bounds: Aabb,
     /// For each slot from now on, the slot in which its primitive stands as yet, or
-    /// [`NONE`](crate::math::NONE) where it stays empty; `None` if all stay where they are.
+    /// [`NONE`](crate::math::NONE) where it stays empty; `None` if all stay where they are. Each primitive is to keep a
+    /// slot: [`Indexed::refit`](super::Indexed::refit) panics if one does not.
     pub order: Option<Vec<u32>>,
 }
 

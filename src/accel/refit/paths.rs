@@ -62,7 +62,9 @@ impl Paths {
         slots: &[u32],
         leader: &impl Leader<N>,
     ) -> Vec<usize> {
-        let mut leaves: Vec<u32> = slots.iter().map(|&slot| self.leaves[slot as usize]).collect();
+        // Behind the last leaf, slots are empty.
+        let leaf_of = |&slot: &u32| self.leaves.get(slot as usize).copied();
+        let mut leaves: Vec<u32> = slots.iter().filter_map(leaf_of).collect();
         leaves.sort_unstable();
         leaves.dedup();
         // Those with the largest index first: each comes up behind all below.

@@ -46,7 +46,7 @@ impl PortablePrimitives for TriangleSet {
         }
         let packs = pack(triangles.len(), |slot| Some((*triangles.get(slot)?, slot as u32)));
         let padding = Padding { largest: 0.0, factor: 1.0 };
-        let set = Self { packs, count, mean_vertex, padding };
+        let set = Self { packs, in_mesh_order: true, count, mean_vertex, padding };
         set.padded().map_err(|error| LoadError::invalid(error.to_string()))
     }
 }
