@@ -142,7 +142,8 @@ impl Primitives for Hair {
         counters.primitives(slots.len() as u32);
         for hit in slots.filter_map(|slot| self.hit(slot, ray, box_ray)) {
             // What lies behind the end of the search is not wanted; once it is over, nothing is.
-            if hit.t <= query.end(ray, answer) && query.accepts(ray, &hit) {
+            let accepted = !Q::FILTERS || query.accepts(ray, &hit);
+            if accepted && hit.t <= query.end(ray, answer) {
                 query.record(answer, &hit);
             }
         }

@@ -8,11 +8,11 @@ use std::ops::Range;
 use srt::accel::{
     Accel, AllHits, AnyHit, BallTree, Bounded, BoundingBall, BuildConfig, Bvh, Bvh8, ClosestHit,
     CompressedWideBvh, Exhaustive, Filtered, Grid, Indexed, KDopTree, KdTree, NoPacks, Octree,
-    Primitives, Query, Scratch, TwoLevelGrid,
+    Primitives, Query, Scratch, Search, TwoLevelGrid,
 };
 use srt::conformance::adversarial_rays::{bundles_around, rays_at};
 use srt::conformance::nasty_meshes::{self, Mesh};
-use srt::counters::Counters;
+use srt::counters::{Counters, NoCounters};
 use srt::glam::{DAffine3, DQuat, DVec3, Vec3, Vec3A};
 use srt::math::{Aabb, BoxRay, Hit, Padding, Random, Ray, RayToObject, Transform};
 use srt::shapes::{Ball, Cylinder, Entered, Instance, Single, Triangle, TriangleMesh, TriangleSet};
@@ -423,4 +423,85 @@ fn rays_that_are_infinite_within_a_small_object_are_no_reason_to_panic() {
     assert!(entered.rays.len() == 64 && entered.rays[0].dir == Vec3::INFINITY);
     mesh.answer(&ClosestHit, &entered.rays, &mut [Hit::MISS; 64]);
     mesh.answer(&AnyHit, &entered.rays, &mut [false; 64]);
+}
+
+/// Queries of one's own, which promise nothing.
+#[derive(Clone, Copy)]
+enum Own {
+    /// The two closest hits.
+    Two,
+    /// Any hit, and which it is.
+    Any,
+    /// The closest hit no farther than a limit of the query.
+    Within(f32),
+    /// Refuses hits, but does not say so: over triangles it is never asked.
+    Silent,
+}
+
+/// [`Own`] of one kind of search.
+#[derive(Clone, Copy)]
+struct Asked<const FIRST: bool>(Own);
+
+impl<const FIRST: bool> Query for Asked<FIRST> {
+    type Answer = Vec<Hit>;
+    const SEARCH: Search = if FIRST { Search::First } else { Search::Closest };
+
+    fn start(&self, _: &Ray) -> Vec<Hit> {
+        Vec::new()
+    }
+
+    fn end(&self, ray: &Ray, answer: &Vec<Hit>) -> f32 {
+        match self.0 {
+            Own::Two => answer.get(1).map_or(ray.end(), |second| second.t),
+            Own::Any if !answer.is_empty() => f32::NEG_INFINITY,
+            Own::Within(limit) => answer.first().map_or(ray.end().min(limit), |first| first.t),
+            _ => answer.first().map_or(ray.end(), |first| first.t),
+        }
+    }
+
+    fn accepts(&self, _: &Ray, _: &Hit) -> bool {
+        !matches!(self.0, Own::Silent)
+    }
+
+    fn record(&self, answer: &mut Vec<Hit>, hit: &Hit) {
+        AllHits.record(answer, hit);
+        answer.truncate(if matches!(self.0, Own::Two) { 2 } else { 1 });
+    }
+
+    fn merge(&self, answer: &mut Vec<Hit>, of_object: &Vec<Hit>, object: u32, begin: f32) {
+        AllHits.merge(answer, of_object, object, begin);
+    }
+}
+
+/// Compares what slices of rays get from kernels with what each ray gets alone; how many hits that are.
+fn compare_with_alone<Q: Query<Answer = Vec<Hit>>>(mesh: &Mesh, query: Q, rays: &[Ray]) -> usize {
+    let bvh8 = indexed::<Bvh8>(mesh);
+    let alone = |ray| bvh8.search_one(&query, ray, &mut NoCounters);
+    let alone: Vec<_> = rays.iter().map(alone).collect();
+    for length in [64, 5] {
+        let mut slice = vec![Vec::new(); rays.len()];
+        for (rays, answers) in rays.chunks(length).zip(slice.chunks_mut(length)) {
+            bvh8.answer(&query, rays, answers);
+        }
+        for (slice, alone) in slice.iter().zip(&alone) {
+            let same = slice.iter().zip(alone).all(|(a, b)| a.same_bits(b));
+            assert!(same && slice.len() == alone.len(), "{slice:?} {alone:?}");
+        }
+    }
+    alone.iter().map(Vec::len).sum()
+}
+
+#[test]
+fn queries_that_promise_nothing_are_answered_in_slices_as_alone() {
+    let mesh = nasty_meshes::soup();
+    let aimed = rays_at(&mesh, 256, 3);
+    // Rays of one octant, which go together where they may.
+    let mut rays = bundles_around(&aimed[..16]);
+    rays.extend(aimed);
+    let closest = |own| compare_with_alone(&mesh, Asked::<false>(own), &rays);
+    let (one, two) = (closest(Own::Silent), closest(Own::Two));
+    assert!(one > 300 && two > one + 100, "{one} {two}");
+    let within = closest(Own::Within(1.0));
+    assert!(within > 50 && within + 50 < one, "{within} of {one}");
+    assert_eq!(compare_with_alone(&mesh, Asked::<true>(Own::Any), &rays), one);
 }

@@ -20,6 +20,9 @@ pub enum Search {
 
 /// A question about rays.
 ///
+/// One of your own is right as soon as its methods are: rays are searched one by one. It gets the kernels for slices
+/// of rays by [`KEEPS_ONE_HIT`](Self::KEEPS_ONE_HIT), if it can promise that.
+///
 /// Whoever searches calls [`start`](Self::start), then [`record`](Self::record) for hits that count,
 /// in any order and some of them perhaps twice, then [`finish`](Self::finish). A hit counts if its
 /// `t` lies between `ray.t_min` and [`end`](Self::end), by the own-box rule of [`Accel`](super::Accel),
@@ -31,8 +34,19 @@ pub trait Query: Copy + Send + Sync {
     /// What a hit does to the search.
     const SEARCH: Search;
 
-    /// Whether [`accepts`](Self::accepts) ever refuses a hit; without it, the test is not compiled.
+    /// Whether [`accepts`](Self::accepts) ever refuses a hit; without it, that need not be called.
     const FILTERS: bool = false;
+
+    /// Whether the answer follows from one hit alone, so that kernels may search for that, for many rays at once:
+    ///
+    /// * before a hit is recorded, [`end`](Self::end) is [`Ray::end`](crate::math::Ray::end);
+    /// * of [`Search::Closest`], the answer follows from the first hit that is accepted in the order
+    ///   `(t, object, prim)`, and behind a hit `end` is its `t`;
+    /// * of [`Search::First`], it follows from whether there is a hit, and behind one `end` is −∞. Of the hit that
+    ///   is recorded then, or given to [`of_one`](Self::of_one), only [`Hit::is_hit`] means anything.
+    ///
+    /// A query that keeps several hits, ends sooner, or looks at any hit that there is, leaves this at `false`.
+    const KEEPS_ONE_HIT: bool = false;
 
     /// Before the search.
     fn start(&self, ray: &Ray) -> Self::Answer;
@@ -41,7 +55,7 @@ pub trait Query: Copy + Send + Sync {
     fn end(&self, ray: &Ray, answer: &Self::Answer) -> f32;
 
     /// Whether a hit is to be recorded, or passed over as if its primitive were not there: for
-    /// example by the transparency of what was hit.
+    /// example by the transparency of what was hit. It is obeyed only with [`FILTERS`](Self::FILTERS).
     #[inline(always)]
     fn accepts(&self, ray: &Ray, hit: &Hit) -> bool {
         let _ = (ray, hit);
@@ -57,7 +71,8 @@ pub trait Query: Copy + Send + Sync {
         let _ = answer;
     }
 
-    /// The answer after a search that recorded one hit, or [`Hit::MISS`]: what kernels have found.
+    /// The answer after a search that recorded one hit, or [`Hit::MISS`]: what kernels have found. They are only for
+    /// queries that [keep one hit](Self::KEEPS_ONE_HIT).
     #[inline(always)]
     fn of_one(&self, ray: &Ray, found: &Hit) -> Self::Answer {
         let mut answer = self.start(ray);
@@ -89,6 +104,7 @@ pub struct ClosestHit;
 impl Query for ClosestHit {
     type Answer = Hit;
     const SEARCH: Search = Search::Closest;
+    const KEEPS_ONE_HIT: bool = true;
 
     #[inline(always)]
     fn start(&self, ray: &Ray) -> Hit {
@@ -134,6 +150,7 @@ pub struct AnyHit;
 impl Query for AnyHit {
     type Answer = bool;
     const SEARCH: Search = Search::First;
+    const KEEPS_ONE_HIT: bool = true;
 
     #[inline(always)]
     fn start(&self, _: &Ray) -> bool {
@@ -222,6 +239,7 @@ impl<Q: Query, F: Fn(&Ray, &Hit) -> bool + Sync> Query for Filtered<'_, Q, F> {
     type Answer = Q::Answer;
     const SEARCH: Search = Q::SEARCH;
     const FILTERS: bool = true;
+    const KEEPS_ONE_HIT: bool = Q::KEEPS_ONE_HIT;
 
     fn start(&self, ray: &Ray) -> Q::Answer {
         self.query.start(ray)
@@ -233,7 +251,8 @@ impl<Q: Query, F: Fn(&Ray, &Hit) -> bool + Sync> Query for Filtered<'_, Q, F> {
 
     fn accepts(&self, ray: &Ray, hit: &Hit) -> bool {
         let object = self.object.unwrap_or(hit.object);
-        (self.filter)(ray, &Hit { object, ..*hit }) && self.query.accepts(ray, hit)
+        let passes = (self.filter)(ray, &Hit { object, ..*hit });
+        passes && (!Q::FILTERS || self.query.accepts(ray, hit))
     }
 
     fn record(&self, answer: &mut Q::Answer, hit: &Hit) {

@@ -20,7 +20,7 @@ impl Single {
         (rays, which): (&[Ray], &[u32]),
         answers: &mut [Q::Answer],
     ) {
-        if const { Q::FILTERS || matches!(Q::SEARCH, Search::All) } {
+        if const { Q::FILTERS || !Q::KEEPS_ONE_HIT || matches!(Q::SEARCH, Search::All) } {
             // Not only where a ray hits first may be of interest.
             for &place in which {
                 let (ray, answer) = (&rays[place as usize], &mut answers[place as usize]);

@@ -5,7 +5,7 @@
 //! (`packet/`) and in waves where they are not (`wave/`), which `kernels.rs` decides; where
 //! primitives are not tested in packs, a stream of rays is brought to each node and to each primitive
 //! that any of them meets (`stream.rs`). A single ray is walked by [`Accel::traverse`]. So are the
-//! rays that the kernels' terms cannot take, those of queries that want every hit, and those in trees of
+//! rays that the kernels' terms cannot take, those of queries that keep more than one hit, and those in trees of
 //! very many levels. Where primitives move, the boxes follow (`refit.rs`).
 //!
 //! * *Idea*: What a ray costs is mostly waiting: for the next node, for a branch. Eight boxes are tested by one
@@ -153,8 +153,10 @@ impl Accel for Bvh8 {
         scratch: &mut Scratch,
         counters: &mut C,
     ) {
-        let one_by_one =
-            const { <P::Packs as Packs>::GRAIN > 1 && matches!(Q::SEARCH, Search::All) };
+        let one_by_one = const {
+            let keeps_one = Q::KEEPS_ONE_HIT && !matches!(Q::SEARCH, Search::All);
+            <P::Packs as Packs>::GRAIN > 1 && !keeps_one
+        };
         let in_packs = const { <P::Packs as Packs>::GRAIN > 1 } && self.height.need < HEIGHT;
         let too_deep = !in_packs && self.height.levels > STREAM_LEVELS;
         if self.nodes.is_empty() || one_by_one || too_deep {

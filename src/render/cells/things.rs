@@ -75,7 +75,7 @@ impl<T: Thing> Primitives for Things<T> {
         for (thing, id) in &self.all[slots.start as usize..slots.end as usize] {
             let shorter = Ray { t_max: query.end(ray, answer), ..*ray };
             let Some(hit) = thing.hit(*id, &shorter, box_ray) else { continue };
-            if query.accepts(ray, &hit) {
+            if !Q::FILTERS || query.accepts(ray, &hit) {
                 query.record(answer, &hit);
             }
         }
