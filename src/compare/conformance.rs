@@ -70,18 +70,20 @@ fn check(structure: &Structure, pools: &Pools, limits: &Limits<'_>) -> Option<Co
 
 /// The difference as plain data. Numbers in words read back as the same bits.
 fn in_words(difference: &FirstDifference) -> ConformanceDifference {
-    let FirstDifference { mesh, scale, offset, quality, update, way, ray, expected, got } =
+    let FirstDifference { mesh, scale, offset, quality, update, question, way, ray, .. } =
         difference;
+    let FirstDifference { one_by_one, expected, got, .. } = difference;
+    let one_by_one = if *one_by_one { ", triangles tested one by one" } else { "" };
     let answer = |answer: &Answer| answer.to_string();
     ConformanceDifference {
         mesh: (*mesh).to_owned(),
         scale: *scale,
         offset: offset.to_array(),
         build: match update {
-            Some(update) => format!("{}, {}", quality.name(), update.participle()),
-            None => quality.name().to_owned(),
+            Some(update) => format!("{}, {}{one_by_one}", quality.name(), update.participle()),
+            None => format!("{}{one_by_one}", quality.name()),
         },
-        way: way.to_string(),
+        way: format!("{way}{question}"),
         ray: format!("{ray:?}"),
         expected: answer(expected),
         got: answer(got),

@@ -1,12 +1,15 @@
 //! A mesh in a place: its rays, through a structure and through none at all.
 
+use std::any::Any;
 use std::ops::Range;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 
 use glam::Vec3;
 
 use crate::accel::{
-    Accel, AnyHit, BuildConfig, BuildOptions, ClosestHit, Exhaustive, Indexed, Moved, Primitives,
-    Quality, Query, Scratch, Update,
+    Accel, AllHits, AnyHit, BuildConfig, BuildOptions, ClosestHit, Exhaustive, Filtered, Indexed,
+    Moved, PACK, Packs, Primitives, Quality, Query, Scratch, Update,
 };
 use crate::counters::{Counts, NoCounters};
 use crate::math::{Hit, Ray};
@@ -14,7 +17,7 @@ use crate::shapes::{TriangleMesh, TriangleSet};
 
 use super::adversarial_rays::{bundles_around, rays_at, rays_cut_at_hits};
 use super::axis_grids::grids_over;
-use super::difference::{Answer, FirstDifference, Way};
+use super::difference::{Answer, FirstDifference, Question, Subject, Way};
 use super::nasty_meshes::{self, Mesh};
 use super::one_by_one::OneByOne;
 use super::summary::Summary;
@@ -22,36 +25,61 @@ use super::summary::Summary;
 /// Rays that are aimed at each mesh in each place; about as many again are made of them.
 const RAYS: usize = 2_000;
 
+/// Meshes of more triangles than this take the longest without a structure, and get fewer rays.
+const MANY: usize = 5_000;
+
+/// Rays that are aimed at a mesh of many triangles.
+const FEW_RAYS: usize = 384;
+
+/// Of the rays that are aimed, and of the bundles around them, so many are asked for all hits, and for filtered ones.
+const ASKED_MORE: usize = 128;
+
 /// Where the second slice ends; the first is one ray, which shows how slow a structure is. Each following one has twice
 /// as many rays, so that slices of many lengths are traced, and begins where rays that go together do.
 const SECOND_END: usize = 16;
 
 /// Triangles, in packs or one by one.
 pub(super) trait Triangles: Primitives {
+    const ONE_BY_ONE: bool;
+
     /// A structure over those of a mesh.
     fn indexed<A: Accel>(mesh: &Mesh, config: &BuildConfig) -> Indexed<Self, A>
     where
         Self: Sized;
 
-    fn set(&mut self) -> &mut TriangleSet;
+    fn set(&self) -> &TriangleSet;
+
+    fn set_mut(&mut self) -> &mut TriangleSet;
 }
 
 impl Triangles for TriangleSet {
+    const ONE_BY_ONE: bool = false;
+
     fn indexed<A: Accel>(mesh: &Mesh, config: &BuildConfig) -> Indexed<Self, A> {
         Indexed::build(TriangleMesh::new(&mesh.positions, &mesh.triangles), config)
     }
 
-    fn set(&mut self) -> &mut TriangleSet {
+    fn set(&self) -> &TriangleSet {
+        self
+    }
+
+    fn set_mut(&mut self) -> &mut TriangleSet {
         self
     }
 }
 
 impl Triangles for OneByOne {
+    const ONE_BY_ONE: bool = true;
+
     fn indexed<A: Accel>(mesh: &Mesh, config: &BuildConfig) -> Indexed<Self, A> {
         Indexed::build(Self(TriangleSet::new(&mesh.positions, &mesh.triangles)), config)
     }
 
-    fn set(&mut self) -> &mut TriangleSet {
+    fn set(&self) -> &TriangleSet {
+        &self.0
+    }
+
+    fn set_mut(&mut self) -> &mut TriangleSet {
         &mut self.0
     }
 }
@@ -64,69 +92,197 @@ pub(super) struct Case<'a> {
     pub(super) offset: Vec3,
 }
 
+/// What is wrong with a structure.
+pub(super) enum Fault {
+    Difference(Box<FirstDifference>),
+    /// It panics: what and where, in words.
+    Panic(String),
+}
+
+/// How a structure was made: built, and perhaps moved.
+type Made = (Quality, Option<Update>);
+
+/// A check of one mesh, on its way.
+struct Check<'a> {
+    case: &'a Case<'a>,
+    moved: &'a Mesh,
+    rays: MadeRays,
+    /// How many rays have been compared.
+    compared: usize,
+    ended: &'a dyn Fn() -> bool,
+}
+
 impl Case<'_> {
     /// Compares a structure with none, as long as `ended` is false; what was compared.
     pub(super) fn check<P: Triangles, A: Accel>(
         &self,
         options: &BuildOptions,
         ended: &dyn Fn() -> bool,
-    ) -> Result<Summary, FirstDifference> {
+    ) -> Result<Summary, Fault> {
         if ended() {
             return Ok(Summary::default());
         }
         let moved = self.mesh.moved(self.scale, self.offset);
-        let mut made = MadeRays::of(&moved);
+        let rays = MadeRays::of(&moved);
+        let mut check = Check { case: self, moved: &moved, rays, compared: 0, ended };
         // The quality is what the tree looks like, and the scale how numbers round: not all of both.
         let qualities: &[Quality] = match self.scale {
-            1.0 => &[Quality::Fastest, Quality::Medium, Quality::Slowest],
+            1.0 if moved.triangles.len() <= MANY => {
+                &[Quality::Fastest, Quality::Medium, Quality::Slowest]
+            }
             _ => &[Quality::Medium],
         };
         let built = qualities.iter().map(|&quality| (quality, None));
         let followed = A::UPDATES.iter().map(|&update| (Quality::Medium, Some(update)));
-        let mut compared = 0;
-        for (quality, update) in built.chain(followed) {
-            if compared > 0 && ended() {
-                return Ok(made.summary(compared, false));
-            }
-            let own = match update {
-                Some(update) => followed_to::<P, A>(&moved, update, quality, options),
-                None => indexed::<P, A>(&moved, quality, options),
-            };
-            let mut from = 0;
-            while let Some(slice) = made.slice_from(from) {
-                // A slow structure is to end soon, so its rays are traced alone before they are in one call.
-                for way in [Way::Alone, Way::Slice, Way::Counted] {
-                    for part in parts(slice.clone(), way) {
-                        // What was made ready is worth a ray.
-                        if compared > 0 && ended() {
-                            return Ok(made.summary(compared, false));
-                        }
-                        let MadeRays { rays, expected, .. } = &made;
-                        let got = answers(&own, &rays[part.clone()], way);
-                        if let Some((i, got)) = first_unlike(part, &got, expected) {
-                            let made = (quality, update);
-                            return Err(self.difference(made, way, rays[i], expected[i], got));
-                        }
-                    }
+        for made in built.chain(followed) {
+            // After a panic nothing that it may have left half done is looked at.
+            let checked = catch_unwind(AssertUnwindSafe(|| check.of_made::<P, A>(made, options)));
+            match checked {
+                Ok(Ok(true)) => {}
+                Ok(Ok(false)) => return Ok(check.summary(false)),
+                Ok(Err(difference)) => return Err(Fault::Difference(difference)),
+                Err(payload) => {
+                    let subject = self.subject::<P>(made);
+                    let message = message_of(&*payload);
+                    let words = format!("{subject}: {message}");
+                    return Err(Fault::Panic(words));
                 }
-                compared = compared.max(slice.end);
-                from = slice.end;
             }
         }
-        Ok(made.summary(compared, true))
+        Ok(check.summary(true))
     }
 
-    fn difference(
-        &self,
-        (quality, update): (Quality, Option<Update>),
-        way: Way,
-        ray: Ray,
-        expected: Answer,
-        got: Answer,
-    ) -> FirstDifference {
-        let Self { mesh: &Mesh { name: mesh, .. }, scale, offset } = *self;
-        FirstDifference { mesh, scale, offset, quality, update, way, ray, expected, got }
+    fn subject<P: Triangles>(&self, made: Made) -> Subject<'_> {
+        let Self { mesh, scale, offset } = *self;
+        Subject { mesh: mesh.name, scale, offset, made, one_by_one: P::ONE_BY_ONE }
     }
+}
+
+/// What a panic says.
+fn message_of(payload: &(dyn Any + Send)) -> &str {
+    let text = payload.downcast_ref::<String>().map(String::as_str);
+    text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("without a message")
+}
+
+impl Check<'_> {
+    /// Compares a structure that is made in one way. Returns whether all was compared.
+    fn of_made<P: Triangles, A: Accel>(
+        &mut self,
+        made: Made,
+        options: &BuildOptions,
+    ) -> Result<bool, Box<FirstDifference>> {
+        if self.is_to_end() {
+            return Ok(false);
+        }
+        let own = match made {
+            (quality, Some(update)) => followed_to::<P, A>(self.moved, update, quality, options),
+            (quality, None) => indexed::<P, A>(self.moved, quality, options),
+        };
+        let mut from = 0;
+        while let Some(slice) = self.rays.slice_from(from) {
+            // A slow structure is to end soon, so its rays are traced alone before they are in one call.
+            for way in [Way::Alone, Way::Slice, Way::Counted] {
+                for part in parts(slice.clone(), way) {
+                    if self.is_to_end() {
+                        return Ok(false);
+                    }
+                    let MadeRays { rays, expected, .. } = &self.rays;
+                    let got = answers(&own, &rays[part.clone()], way);
+                    if let Some((i, got)) = first_unlike(part, &got, expected) {
+                        let asked = (Question::First, way, rays[i]);
+                        return Err(self.difference::<P>(made, asked, [expected[i], got]));
+                    }
+                }
+            }
+            self.compared = self.compared.max(slice.end);
+            from = slice.end;
+        }
+        self.ask_more(&own, made)
+    }
+
+    /// Compares all hits, and those that pass a filter, for some of the rays.
+    fn ask_more<P: Triangles, A: Accel>(
+        &mut self,
+        own: &Indexed<P, A>,
+        made: Made,
+    ) -> Result<bool, Box<FirstDifference>> {
+        for start in [0, self.rays.aimed] {
+            let part = start..start + ASKED_MORE;
+            for way in [Way::Alone, Way::Slice] {
+                if self.is_to_end() {
+                    return Ok(false);
+                }
+                let all = self.rays.all_hits(part.clone());
+                let rays = &self.rays.rays[part.clone()];
+                let got = answers_to(own, AllHits, rays, way);
+                let unlike = (0..rays.len()).find_map(|i| Some((i, other_hit(&all[i], &got[i])?)));
+                if let Some((i, answers)) = unlike {
+                    let asked = (Question::All, way, rays[i]);
+                    return Err(self.difference::<P>(made, asked, answers));
+                }
+                let hits = answers_to(own, Filtered::new(ClosestHit, &is_seen), rays, way);
+                let blocked = answers_to(own, Filtered::new(AnyHit, &is_seen), rays, way);
+                for (i, (hit, blocked)) in hits.into_iter().zip(blocked).enumerate() {
+                    let seen = all[i].iter().copied().find(|hit| is_seen(&rays[i], hit));
+                    let hit_expected = seen.unwrap_or(Hit::MISS);
+                    let expected = Answer { hit: hit_expected, blocked: seen.is_some() };
+                    let got = Answer { hit, blocked };
+                    if !got.same_bits(&expected) {
+                        let asked = (Question::Filtered, way, rays[i]);
+                        return Err(self.difference::<P>(made, asked, [expected, got]));
+                    }
+                }
+            }
+        }
+        Ok(true)
+    }
+
+    /// What was made ready is worth a ray.
+    fn is_to_end(&self) -> bool {
+        self.compared > 0 && (self.ended)()
+    }
+
+    fn summary(&self, whole: bool) -> Summary {
+        self.rays.summary(self.compared, whole)
+    }
+
+    fn difference<P: Triangles>(
+        &self,
+        made: Made,
+        (question, way, ray): (Question, Way, Ray),
+        [expected, got]: [Answer; 2],
+    ) -> Box<FirstDifference> {
+        let Case { mesh: &Mesh { name: mesh, .. }, scale, offset } = *self.case;
+        let ((quality, update), one_by_one) = (made, P::ONE_BY_ONE);
+        Box::new(FirstDifference {
+            mesh,
+            scale,
+            offset,
+            quality,
+            update,
+            one_by_one,
+            question,
+            way,
+            ray,
+            expected,
+            got,
+        })
+    }
+}
+
+/// The filter of the check: two of three triangles are seen.
+fn is_seen(_: &Ray, hit: &Hit) -> bool {
+    !hit.prim.is_multiple_of(3)
+}
+
+/// The first of all hits that is another than expected, both as answers.
+fn other_hit(expected: &[Hit], got: &[Hit]) -> Option<[Answer; 2]> {
+    let same = expected.iter().zip(got).take_while(|(a, b)| a.same_bits(b)).count();
+    let answer = |hits: &[Hit]| Answer {
+        hit: hits.get(same).copied().unwrap_or(Hit::MISS),
+        blocked: same < hits.len(),
+    };
+    (same < expected.len().max(got.len())).then(|| [answer(expected), answer(got)])
 }
 
 /// The calls of a slice: one for each of its rays, or one for all.
@@ -149,8 +305,12 @@ struct MadeRays {
     none: Indexed<TriangleSet, Exhaustive>,
     rays: Vec<Ray>,
     expected: Vec<Answer>,
+    /// How many of them, the first, are aimed at triangles.
+    aimed: usize,
     /// Whether the rays that are cut at hits are among them.
     has_cut: bool,
+    /// All hits of some rays, by where these begin.
+    all: Vec<(usize, Arc<[Vec<Hit>]>)>,
 }
 
 impl MadeRays {
@@ -159,18 +319,31 @@ impl MadeRays {
         // Even where there is nothing, rays are aimed at something.
         let single = nasty_meshes::single();
         let target = if moved.triangles.is_empty() { &single } else { moved };
-        let mut rays = rays_at(target, RAYS, 99);
-        rays.extend(bundles_around(&rays[..RAYS / 64]));
-        rays.extend(grids_over(target, 8, 23));
-        Self { none, rays, expected: Vec::new(), has_cut: false }
+        let (aimed, side) = if target.triangles.len() > MANY { (FEW_RAYS, 4) } else { (RAYS, 8) };
+        let mut rays = rays_at(target, aimed, 99);
+        rays.extend(bundles_around(&rays[..aimed / 64]));
+        rays.extend(grids_over(target, side, 23));
+        Self { none, rays, expected: Vec::new(), aimed, has_cut: false, all: Vec::new() }
+    }
+
+    /// All hits of some of the rays.
+    fn all_hits(&mut self, part: Range<usize>) -> Arc<[Vec<Hit>]> {
+        if let Some((_, all)) = self.all.iter().find(|(start, _)| *start == part.start) {
+            return all.clone();
+        }
+        let start = part.start;
+        let all: Arc<[_]> = answers_to(&self.none, AllHits, &self.rays[part], Way::Slice).into();
+        self.all.push((start, all.clone()));
+        all
     }
 
     /// The slice that begins at a ray, with its answers; `None` behind the last.
     fn slice_from(&mut self, from: usize) -> Option<Range<usize>> {
         if from == self.rays.len() && !self.has_cut {
-            let hits: Vec<Hit> = self.expected[..RAYS].iter().map(|answer| answer.hit).collect();
+            let hits: Vec<Hit> =
+                self.expected[..self.aimed].iter().map(|answer| answer.hit).collect();
             // Last, because their number is any: the others go together in bundles.
-            self.rays.extend(rays_cut_at_hits(&self.rays[..RAYS], &hits));
+            self.rays.extend(rays_cut_at_hits(&self.rays[..self.aimed], &hits));
             self.has_cut = true;
         }
         let end = match from {
@@ -201,7 +374,7 @@ pub(super) fn indexed<P: Triangles, A: Accel>(
 }
 
 /// A structure that was built for the mesh with its vertices in each other's places, and has followed them to their own
-/// in two steps.
+/// in steps: all of them, all but a few, and these few by their slots.
 fn followed_to<P: Triangles, A: Accel>(
     mesh: &Mesh,
     update: Update,
@@ -209,17 +382,35 @@ fn followed_to<P: Triangles, A: Accel>(
     options: &BuildOptions,
 ) -> Indexed<P, A> {
     let count = mesh.positions.len();
-    let stirred = |by: usize| Mesh {
-        positions: (0..count).map(|i| mesh.positions[(i + by * (1 + i % 5)) % count]).collect(),
-        triangles: mesh.triangles.clone(),
-        ..*mesh
-    };
-    let mut own = indexed::<P, A>(&stirred(3), quality, options);
-    for Mesh { positions, triangles, .. } in [stirred(1), stirred(0)] {
-        let change = |own: &mut P| own.set().move_to(&positions, &triangles);
-        let done = own.refit(update, Moved::All, change, |own, bounds| own.set().settle(bounds));
-        done.unwrap_or_else(|error| panic!("the triangles have moved: {error}"));
+    let place = |by: usize, i: usize| mesh.positions[(i + by * (1 + i % 5)) % count];
+    let at = |positions| Mesh { positions, triangles: mesh.triangles.clone(), ..*mesh };
+    let stirred = |by: usize| at((0..count).map(|i| place(by, i)).collect());
+    // Few enough that trees go up from the leaves of these alone.
+    let mut nearly = stirred(0);
+    for &corner in mesh.triangles.iter().take(1 + mesh.triangles.len() / 500).flatten() {
+        nearly.positions[corner as usize] = place(1, corner as usize);
     }
+    let differs = |triangle: usize| {
+        let after = mesh.corners(triangle).map(|corner| corner.to_array().map(f32::to_bits));
+        after != nearly.corners(triangle).map(|corner| corner.to_array().map(f32::to_bits))
+    };
+    let have_moved: Vec<bool> = (0..mesh.triangles.len()).map(differs).collect();
+
+    let mut own = indexed::<P, A>(&stirred(3), quality, options);
+    let follow = |own: &mut Indexed<P, A>, to: &Mesh, moved: Moved<'_>| {
+        let change = |own: &mut P| own.set_mut().move_to(&to.positions, &to.triangles);
+        let done = own.refit(update, moved, change, |own, bounds| own.set_mut().settle(bounds));
+        done.unwrap_or_else(|error| panic!("the triangles have moved: {error}"));
+    };
+    follow(&mut own, &stirred(1), Moved::All);
+    follow(&mut own, &nearly, Moved::All);
+    let set = own.primitives().set();
+    let has_moved = |&slot: &u32| {
+        let prim = Packs::id(set, slot as usize / PACK, slot as usize % PACK);
+        have_moved.get(prim as usize).copied().unwrap_or(false)
+    };
+    let slots: Vec<u32> = (0..set.slots()).filter(has_moved).collect();
+    follow(&mut own, mesh, Moved::Slots(&slots));
     own
 }
 
@@ -228,16 +419,12 @@ pub(super) fn answers<P: Primitives, A: Accel>(
     rays: &[Ray],
     way: Way,
 ) -> Vec<Answer> {
-    if way == Way::Alone {
-        let alone = |ray| Answer { hit: index.hit(ray), blocked: index.occluded(ray) };
-        return rays.iter().map(alone).collect();
-    }
-    let hits = of_slice(index, ClosestHit, rays, way);
-    let blocked = of_slice(index, AnyHit, rays, way);
+    let hits = answers_to(index, ClosestHit, rays, way);
+    let blocked = answers_to(index, AnyHit, rays, way);
     hits.into_iter().zip(blocked).map(|(hit, blocked)| Answer { hit, blocked }).collect()
 }
 
-fn of_slice<P: Primitives, A: Accel, Q: Query>(
+fn answers_to<P: Primitives, A: Accel, Q: Query>(
     index: &Indexed<P, A>,
     query: Q,
     rays: &[Ray],
@@ -246,10 +433,14 @@ fn of_slice<P: Primitives, A: Accel, Q: Query>(
     let mut answers: Vec<_> = rays.iter().map(|ray| query.start(ray)).collect();
     let mut scratch = Scratch::default();
     match way {
+        Way::Alone => {
+            let alone = |ray| index.search_one(&query, ray, &mut NoCounters);
+            return rays.iter().map(alone).collect();
+        }
         Way::Counted => {
             index.search(&query, rays, &mut answers, &mut scratch, &mut Counts::default());
         }
-        _ => index.search(&query, rays, &mut answers, &mut scratch, &mut NoCounters),
+        Way::Slice => index.search(&query, rays, &mut answers, &mut scratch, &mut NoCounters),
     }
     answers
 }

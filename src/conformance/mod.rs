@@ -30,11 +30,11 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use crate::accel::{Accel, BuildOptions};
 use crate::shapes::TriangleSet;
 
-use case::{Case, Triangles};
+use case::{Case, Fault, Triangles};
 use limits::Shares;
 use one_by_one::OneByOne;
 
-pub use difference::{Answer, FirstDifference, Way};
+pub use difference::{Answer, FirstDifference, Question, Way};
 pub use limits::{Limits, Progress};
 pub use summary::Summary;
 
@@ -43,13 +43,15 @@ const PLACES: [(f32, Vec3); 4] =
     [(1.0, Vec3::ZERO), (1e6, Vec3::ZERO), (1e-6, Vec3::ZERO), (1e3, Vec3::splat(1e6))];
 
 /// Compares a structure over the triangles of [`nasty_meshes`] with [`Exhaustive`](crate::accel::Exhaustive), by
-/// [`adversarial_rays`] and [`axis_grids`] at scales from 10⁻⁶ to 10⁶.
+/// [`adversarial_rays`] and [`axis_grids`] at scales from 10⁻⁶ to 10⁶: the first hit and any hit of all rays, and of
+/// some of them all hits and filtered ones; as it is built, and as it has followed triangles that moved, in each way
+/// that it offers.
 ///
 /// # Errors
 /// With the first ray, in an order that is always the same, for which its answers differ by a bit.
 ///
 /// # Panics
-/// Where the structure does.
+/// Where the structure does: the message names the mesh, its place, and how the structure was built.
 pub fn check<A: Accel>() -> Result<Summary, FirstDifference> {
     check_with::<A>(&BuildOptions::NONE, &Limits::NONE)
 }
@@ -74,7 +76,7 @@ pub fn check<A: Accel>() -> Result<Summary, FirstDifference> {
 /// As of [`check`]. Which ray is the first may depend on limits that end the check.
 ///
 /// # Panics
-/// Where the structure does.
+/// Where the structure does: the message names the mesh, its place, and how the structure was built.
 pub fn check_with<A: Accel>(
     options: &BuildOptions,
     limits: &Limits<'_>,
@@ -89,7 +91,7 @@ pub fn check_with<A: Accel>(
 /// As of [`check_with`].
 ///
 /// # Panics
-/// Where the structure does.
+/// Where the structure does: the message names the mesh, its place, and how the structure was built.
 pub fn check_one_by_one<A: Accel>(
     options: &BuildOptions,
     limits: &Limits<'_>,
@@ -113,9 +115,11 @@ fn check_by<P: Triangles, A: Accel>(
 ) -> Result<Summary, FirstDifference> {
     let mut meshes = nasty_meshes::all();
     meshes.push(nasty_meshes::empty("empty"));
-    let cases: Vec<(usize, Case<'_>)> = meshes
-        .iter()
-        .flat_map(|mesh| PLACES.map(|(scale, offset)| Case { mesh, scale, offset }))
+    let large = nasty_meshes::terrain();
+    let in_places = meshes.iter().flat_map(|mesh| PLACES.map(|place| (mesh, place)));
+    let cases: Vec<(usize, Case<'_>)> = in_places
+        .chain([(&large, PLACES[0])])
+        .map(|(mesh, (scale, offset))| Case { mesh, scale, offset })
         .enumerate()
         .collect();
     let shares = Shares::new(limits.time, clock);
@@ -124,7 +128,11 @@ fn check_by<P: Triangles, A: Accel>(
     let mut left: Vec<(usize, Case<'_>)> = cases.clone();
     while !left.is_empty() {
         let (count, all) = (left.len(), cases.len());
-        let compared = check_all::<P, A>(&left, options, limits, &shares, all)?;
+        let compared = match check_all::<P, A>(&left, options, limits, &shares, all) {
+            Ok(compared) => compared,
+            Err(Fault::Difference(difference)) => return Err(*difference),
+            Err(Fault::Panic(message)) => panic!("{message}"),
+        };
         for (&(number, _), own) in left.iter().zip(compared) {
             if own.rays >= summaries[number].rays {
                 summaries[number] = own;
@@ -146,9 +154,10 @@ fn check_all<P: Triangles, A: Accel>(
     limits: &Limits<'_>,
     shares: &Shares<'_>,
     all: usize,
-) -> Result<Vec<Summary>, FirstDifference> {
+) -> Result<Vec<Summary>, Fault> {
     let (begun, done) = (AtomicUsize::new(0), AtomicUsize::new(all - cases.len()));
-    // Behind a difference nothing needs to be compared; before it, there may be one that counts as the first.
+    // Behind a difference, or a panic, nothing needs to be compared; before it, there may be one that counts as the
+    // first.
     let first_wrong = AtomicUsize::new(usize::MAX);
     let threads = rayon::current_num_threads();
     let results: Vec<_> = cases
@@ -179,7 +188,10 @@ mod tests {
 
     use super::case::{answers, indexed};
     use super::*;
-    use crate::accel::{Bounded, Build, Built, Exhaustive};
+    use crate::accel::{
+        Bounded, Build, Built, Exhaustive, Followed, Moved, Primitives, Query, Scratch, Search,
+        Update,
+    };
     use crate::counters::Counters;
     use crate::math::{BoxRay, Ray};
 
@@ -245,9 +257,185 @@ mod tests {
         };
         let limits = Limits { progress: &progress, ..Limits::NONE };
         let summary = check_one_by_one::<Exhaustive>(&BuildOptions::NONE, &limits).unwrap();
-        assert_eq!((summary.meshes, summary.all_meshes), (28, 28), "seven meshes in four places");
+        assert_eq!(
+            (summary.meshes, summary.all_meshes),
+            (29, 29),
+            "seven meshes in four places, and a large one"
+        );
         assert!(summary.hits > summary.rays / 10, "{summary}");
-        assert_eq!((parts.into_inner(), last.into_inner()), (28, 28));
+        assert_eq!((parts.into_inner(), last.into_inner()), (29, 29));
+    }
+
+    /// No structure, which panics where there are many primitives.
+    struct Fragile(Exhaustive);
+
+    impl Accel for Fragile {
+        fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
+            assert!(primitives.count() < 10_000, "a node is lost");
+            let Built { accel, order } = Exhaustive::build(primitives, build);
+            Built { accel: Self(accel), order }
+        }
+
+        fn traverse<C: Counters>(
+            &self,
+            ray: &Ray,
+            box_ray: &BoxRay,
+            counters: &mut C,
+            leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
+        ) {
+            self.0.traverse(ray, box_ray, counters, leaf);
+        }
+
+        fn bytes(&self) -> u64 {
+            0
+        }
+    }
+
+    #[test]
+    #[should_panic(
+        expected = "mesh `terrain` times 1e0 plus [0, 0, 0], built `medium`, triangles tested one by one: \
+                    a node is lost"
+    )]
+    fn a_panic_names_what_it_is_over() {
+        let _ = check_one_by_one::<Fragile>(&BuildOptions::NONE, &Limits::NONE);
+    }
+
+    /// No structure, which forgets all primitives where some of them are refitted by their slots.
+    struct Forgetful {
+        none: Exhaustive,
+        has_followed: bool,
+    }
+
+    impl Accel for Forgetful {
+        const UPDATES: &'static [Update] = &[Update::Refit];
+
+        fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
+            let Built { accel: none, order } = Exhaustive::build(primitives, build);
+            Built { accel: Self { none, has_followed: false }, order }
+        }
+
+        fn traverse<C: Counters>(
+            &self,
+            ray: &Ray,
+            box_ray: &BoxRay,
+            counters: &mut C,
+            leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
+        ) {
+            if !self.has_followed {
+                self.none.traverse(ray, box_ray, counters, leaf);
+            }
+        }
+
+        fn refit<P: Primitives>(
+            &mut self,
+            _: Update,
+            primitives: &P,
+            moved: Moved<'_>,
+            _: &Build<'_>,
+        ) -> Followed {
+            self.has_followed = matches!(moved, Moved::Slots(slots) if !slots.is_empty());
+            Followed::in_place(primitives.total_bounds())
+        }
+
+        fn bytes(&self) -> u64 {
+            0
+        }
+    }
+
+    #[test]
+    fn structures_follow_slots() {
+        let difference = check::<Forgetful>().unwrap_err();
+        assert_eq!(difference.update, Some(Update::Refit));
+        assert!(difference.to_string().contains("built `medium` and refitted, traced"));
+    }
+
+    /// No structure, which answers no query of a slice but those that keep one hit of all there are.
+    struct Partial(Exhaustive, bool);
+
+    impl Accel for Partial {
+        fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
+            let Built { accel, order } = Exhaustive::build(primitives, build);
+            Built { accel: Self(accel, true), order }
+        }
+
+        fn traverse<C: Counters>(
+            &self,
+            ray: &Ray,
+            box_ray: &BoxRay,
+            counters: &mut C,
+            leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
+        ) {
+            self.0.traverse(ray, box_ray, counters, leaf);
+        }
+
+        fn search<P: Primitives, Q: Query, C: Counters>(
+            &self,
+            query: &Q,
+            primitives: &P,
+            rays: &[Ray],
+            answers: &mut [Q::Answer],
+            scratch: &mut Scratch,
+            counters: &mut C,
+        ) {
+            let is_known = Q::KEEPS_ONE_HIT && !Q::FILTERS;
+            let has_all = if self.1 { Q::FILTERS } else { Q::SEARCH == Search::All };
+            if is_known || has_all {
+                self.0.search(query, primitives, rays, answers, scratch, counters);
+            }
+        }
+
+        fn bytes(&self) -> u64 {
+            0
+        }
+    }
+
+    /// The same with filters that it does not know, in the place of all hits.
+    struct Unfiltered(Partial);
+
+    impl Accel for Unfiltered {
+        fn build(primitives: &impl Bounded, build: &mut Build<'_>) -> Built<Self> {
+            let Built { accel: Partial(accel, _), order } = Partial::build(primitives, build);
+            Built { accel: Self(Partial(accel, false)), order }
+        }
+
+        fn traverse<C: Counters>(
+            &self,
+            ray: &Ray,
+            box_ray: &BoxRay,
+            counters: &mut C,
+            leaf: impl FnMut(Range<u32>, &mut C) -> ControlFlow<(), f32>,
+        ) {
+            self.0.traverse(ray, box_ray, counters, leaf);
+        }
+
+        fn search<P: Primitives, Q: Query, C: Counters>(
+            &self,
+            query: &Q,
+            primitives: &P,
+            rays: &[Ray],
+            answers: &mut [Q::Answer],
+            scratch: &mut Scratch,
+            counters: &mut C,
+        ) {
+            self.0.search(query, primitives, rays, answers, scratch, counters);
+        }
+
+        fn bytes(&self) -> u64 {
+            0
+        }
+    }
+
+    #[test]
+    fn all_hits_and_filtered_ones_are_asked_for() {
+        let difference = check::<Partial>().unwrap_err();
+        assert_eq!((difference.question, difference.way), (Question::All, Way::Slice));
+        assert!(difference.to_string().contains(", all hits, traced in a slice"), "{difference}");
+        let difference = check::<Unfiltered>().unwrap_err();
+        assert_eq!(difference.question, Question::Filtered);
+        assert!(
+            difference.to_string().contains(", hits filtered, traced in a slice"),
+            "{difference}"
+        );
     }
 
     /// How many times a ray has been traced through [`Slow`].
@@ -288,7 +476,7 @@ mod tests {
         assert!(clock() < Duration::from_secs(12), "{:?}", clock());
         assert!(!summary.is_whole() && summary.rays > 100 && summary.hits > 10, "{summary}");
         let text = summary.to_string();
-        assert!(text.ends_with("ended with 0 of 28 meshes compared in full"), "{text}");
+        assert!(text.ends_with("ended with 0 of 29 meshes compared in full"), "{text}");
     }
 
     #[test]

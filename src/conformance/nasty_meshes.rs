@@ -43,7 +43,7 @@ impl Mesh {
     }
 }
 
-/// All of them.
+/// All of them but [`terrain`], which takes the longest without a structure.
 #[must_use]
 pub fn all() -> Vec<Mesh> {
     vec![lattice(), nested(), sheets(), soup(), fan(), single()]
@@ -167,6 +167,28 @@ pub fn fan() -> Mesh {
 pub fn single() -> Mesh {
     let mut mesh = empty("single");
     mesh.push([Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.5)]);
+    mesh
+}
+
+/// A height field of 20,000 triangles that share vertices: large enough for trees of several levels of wide nodes.
+#[must_use]
+pub fn terrain() -> Mesh {
+    const SIDE: u32 = 100;
+    let mut mesh = empty("terrain");
+    let mut random = Random::new(&[17]);
+    for i in 0..=SIDE {
+        for j in 0..=SIDE {
+            let [x, y] = [i, j].map(|at| at as f32 / SIDE as f32);
+            mesh.positions.push(Vec3::new(x, y, 0.02 * random.next_f32()));
+        }
+    }
+    for i in 0..SIDE {
+        for j in 0..SIDE {
+            let corner = i * (SIDE + 1) + j;
+            let [right, up, across] = [corner + SIDE + 1, corner + 1, corner + SIDE + 2];
+            mesh.triangles.extend([[corner, right, across], [corner, across, up]]);
+        }
+    }
     mesh
 }
 

@@ -39,10 +39,6 @@ impl Primitives for OneByOne {
         self.0.padding()
     }
 
-    fn slots(&self) -> u32 {
-        self.0.slots()
-    }
-
     fn close_ranks(&mut self) {
         self.0.close_ranks();
     }
