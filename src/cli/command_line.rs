@@ -25,6 +25,7 @@ pub(crate) fn command(structures: &Structures) -> Command {
         .mut_subcommand("part", |part| part.mut_arg("accel", one))
         .mut_subcommand("show", |show| show.mut_arg("accel", one))
         .mut_subcommand("build", |build| build.mut_arg("accel", one))
+        .mut_subcommand("animate", |animate| animate.mut_arg("accel", list))
         .mut_subcommand("compare", |compare| compare.mut_arg("accel", list))
         .mut_subcommand("conformance", |check| check.mut_arg("accel", list))
 }
@@ -120,6 +121,10 @@ mod tests {
         );
         assert_eq!(named(&["srt", "a.sce", "a.png"]), None);
         assert_eq!(compared("none,mine").unwrap(), ["none", "mine"]);
+        let typed = ["srt", "animate", "a.sce", "--frames", "0..9", "--accel", "bvh,mine"];
+        let read = read(&structures, &typed).unwrap();
+        let Some(args::Command::Animate(animate)) = read.command else { panic!("{read:?}") };
+        assert_eq!(animate.structures()[1].name, "mine");
         let help = command(&structures).render_long_help().to_string();
         assert!(help.contains("mine") && help.contains("one of your own"), "{help}");
         assert!(help.contains("mine:leaf=1..") && help.contains("bvh8:builder=sah|ploc"), "{help}");

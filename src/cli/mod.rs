@@ -109,7 +109,7 @@ pub fn run() -> ExitCode {
 }
 
 /// Runs the command with structures of your own beside the library's: `--accel` takes their names
-/// where it renders, draws heatmaps, compares and checks for equal hits. This is a whole `main.rs`:
+/// wherever it takes the library's. This is a whole `main.rs`:
 ///
 /// ```no_run
 /// # use srt::accel::{Bvh, Bvh as Pairs};
@@ -131,10 +131,10 @@ fn dispatch(structures: &Structures) -> CommandResult {
     Isa::chosen().map_err(Failure::new)?;
     let interrupt = Interrupt::install().map_err(Failure::new)?;
     match arguments.command {
-        None => render::run(arguments.render, &interrupt),
+        None => render::run(arguments.render, structures, &interrupt),
         Some(Command::View(view)) => view::run(view, structures),
-        Some(Command::Show(show)) => show::run(show),
-        Some(Command::Part(part)) => part::run(part, &interrupt),
+        Some(Command::Show(show)) => show::run(show, structures),
+        Some(Command::Part(part)) => part::run(part, structures, &interrupt),
         Some(Command::Assemble(assemble)) => assemble::run(&assemble),
         Some(Command::Pack(pack)) => pack::run(&pack),
         Some(Command::Build(build)) => build::run(&build),

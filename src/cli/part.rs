@@ -12,6 +12,7 @@ use super::origin::origin;
 use super::output::Output;
 use super::part_args::PartArguments;
 use super::progress::Progress;
+use super::structures::Structures;
 use super::summary::ray_rate;
 use super::terminal::print_message;
 use super::work::Work;
@@ -23,7 +24,11 @@ use crate::report::numbers;
 use crate::sealed::hexadecimal;
 
 /// Renders a part and writes it.
-pub(super) fn run(arguments: PartArguments, interrupt: &Interrupt) -> CommandResult {
+pub(super) fn run(
+    arguments: PartArguments,
+    structures: &Structures,
+    interrupt: &Interrupt,
+) -> CommandResult {
     let PartArguments { scene, part: share, by: division, output, work, lenient, quiet } =
         arguments;
     let mut work = Work::new(scene, work, lenient, quiet)?;
@@ -38,7 +43,7 @@ pub(super) fn run(arguments: PartArguments, interrupt: &Interrupt) -> CommandRes
     let pool = work.pool()?;
     let Some(loaded) = work.load(&pool) else { return Ok(Exit::Trouble) };
     refuse_to_replace_a_mesh(&output, "the part", &loaded)?;
-    work.adopt(&loaded)?;
+    work.adopt(&loaded, structures)?;
     let settings = work.settings(&loaded.scene, false)?;
     let start = Instant::now();
     let (file, rays) =

@@ -17,23 +17,28 @@ use super::progress::Progress;
 use super::refine::{Begun, Outcome, Refinement, StoppedBy};
 use super::render_args::RenderArguments;
 use super::sequence;
+use super::structures::Structures;
 use super::summary;
 use super::terminal::print_message;
 use crate::render::{Renderer, Settings, render};
 use crate::scene::{BuildReport, Scene};
 
 /// Renders; a rendering that a signal ended is written only with `--keep-partial` or `--progressive`.
-pub(super) fn run(arguments: RenderArguments, interrupt: &Interrupt) -> CommandResult {
+pub(super) fn run(
+    arguments: RenderArguments,
+    structures: &Structures,
+    interrupt: &Interrupt,
+) -> CommandResult {
     if let Some(failure) = no_such_name(arguments.scene.as_deref()) {
         return Err(failure);
     }
     if let Some(frames) = arguments.frames {
-        return sequence::run(arguments, frames, interrupt);
+        return sequence::run(arguments, frames, structures, interrupt);
     }
     let mut options = RenderOptions::new(arguments)?;
     let pool = options.work.pool()?;
     let Some(loaded) = options.work.load(&pool) else { return Ok(Exit::Trouble) };
-    options.work.adopt(&loaded)?;
+    options.work.adopt(&loaded, structures)?;
     let (begun, settings) = pool.install(|| begin(&options, loaded))?;
     let traced = || trace(&begun, &settings, &options, interrupt);
     let (build, outcome) = pool.install(traced)?;

@@ -11,26 +11,30 @@ use super::output::make_folder;
 use super::picture::PictureTarget;
 use super::render::{begin, conclude, trace};
 use super::render_args::{PictureArguments, RenderArguments};
+use super::structures::Structures;
 use super::terminal::print_message;
 
 /// What becomes of the frames.
-struct Sequence {
+struct Sequence<'a> {
     frames: FrameRange,
     /// Where each goes; none where all go to standard output, one after the other.
     names: Option<FrameNames>,
     typed: PictureArguments,
+    /// Those of this program.
+    structures: &'a Structures,
 }
 
 /// Renders one frame after the other. The scene's file is read once, and its meshes are loaded once.
 pub(super) fn run(
     mut arguments: RenderArguments,
     frames: FrameRange,
+    structures: &Structures,
     interrupt: &Interrupt,
 ) -> CommandResult {
     let typed = arguments.picture.clone();
     let output = arguments.output.take().ok_or_else(|| Failure::new("no output was named"))?;
     let names = if output.as_os_str() == "-" { None } else { Some(names_of_pictures(&output)?) };
-    let sequence = Sequence { frames, names, typed };
+    let sequence = Sequence { frames, names, typed, structures };
     let first = sequence.path_of(frames.first);
     if let Some(folder) = first.parent().filter(|folder| !folder.as_os_str().is_empty()) {
         make_folder(folder)?;
@@ -39,7 +43,7 @@ pub(super) fn run(
     sequence.render(&mut options, interrupt)
 }
 
-impl Sequence {
+impl Sequence<'_> {
     fn path_of(&self, frame: u32) -> PathBuf {
         self.names.as_ref().map_or_else(|| PathBuf::from("-"), |names| names.of_frame(frame))
     }
@@ -71,7 +75,7 @@ impl Sequence {
                 print_message(&loaded.warnings);
             }
             warned.clone_from(&loaded.warnings);
-            options.work.adopt(&loaded)?;
+            options.work.adopt(&loaded, self.structures)?;
             let options = &*options;
             let traced = || {
                 let (begun, settings) = begin(options, loaded)?;

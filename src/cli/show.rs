@@ -7,6 +7,7 @@ use super::inputs::{refuse_to_replace, refuse_to_replace_a_mesh};
 use super::output::Output;
 use super::show_args::ShowArguments;
 use super::source;
+use super::structures::Structures;
 use super::terminal::print_message;
 use super::work::{Overrides, Typed, Work, build_config, check_region, threads};
 use crate::render::{Sampling, Settings, Silent, View};
@@ -17,7 +18,7 @@ use crate::show::{Facts, SlideOptions, page, slides};
 const WIDTH: u32 = 720;
 
 /// Renders the pictures and writes the page.
-pub(super) fn run(arguments: ShowArguments) -> CommandResult {
+pub(super) fn run(arguments: ShowArguments, structures: &Structures) -> CommandResult {
     let output = Output::prepare(&arguments.output)?;
     if output.is_stdout() && std::io::stdout().is_terminal() {
         return Err(Failure::new(
@@ -30,7 +31,7 @@ pub(super) fn run(arguments: ShowArguments) -> CommandResult {
     let pool = work.pool()?;
     let Some(loaded) = work.load(&pool) else { return Ok(Exit::Trouble) };
     refuse_to_replace_a_mesh(&output, "the page", &loaded)?;
-    work.adopt(&loaded)?;
+    work.adopt(&loaded, structures)?;
     let scene = &loaded.scene;
     let settings = settings(&work, scene)?;
     // Checked by the view of cells: a structure without them has nothing to show.

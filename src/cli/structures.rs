@@ -99,7 +99,7 @@ impl Structures {
     }
 
     /// The one that a text names, with its options.
-    fn find(&self, text: &str) -> Result<Structure, String> {
+    pub(crate) fn find(&self, text: &str) -> Result<Structure, String> {
         let (name, options) = parts(text);
         let found = self.0.iter().find(|one| one.name == name);
         let found = found.ok_or_else(|| format!("there is no structure `{name}`"))?;

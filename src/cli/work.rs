@@ -12,6 +12,7 @@ use super::inputs::refuse_to_replace;
 use super::load::{Described, LoadError, Loaded, SavedStructure, SceneFile, print_load_error};
 use super::output::Output;
 use super::source;
+use super::structures::Structures;
 use super::terminal::print_message;
 use super::values::Size;
 use super::work_args::{USUAL_STRUCTURE, WorkArguments};
@@ -151,7 +152,11 @@ impl Work {
     ///
     /// # Errors
     /// If others were typed, or if this program has no such structure.
-    pub(crate) fn adopt(&mut self, loaded: &Loaded) -> Result<(), Failure> {
+    pub(crate) fn adopt(
+        &mut self,
+        loaded: &Loaded,
+        structures: &Structures,
+    ) -> Result<(), Failure> {
         self.frame = loaded.frame;
         let Some(built) = &loaded.built else { return Ok(()) };
         let SavedStructure { structure, quality, .. } = built;
@@ -163,7 +168,7 @@ impl Work {
                     self.structure.name
                 )));
             }
-            self.structure = structure_of(structure).ok_or_else(|| {
+            self.structure = structures.find(structure).map_err(|_| {
                 Failure::new(format_args!(
                     "{file} was built with `{}`, which this program does not have",
                     structure.escape_debug()
@@ -358,14 +363,6 @@ fn check_samples(settings: &Settings) -> Result<(), Failure> {
 /// The structure that is traced where none is named.
 pub(super) fn usual_structure() -> Structure {
     *structure_named(USUAL_STRUCTURE).unwrap_or(&STRUCTURES[0])
-}
-
-/// The structure of a name with its options.
-fn structure_of(text: &str) -> Option<Structure> {
-    match text.split_once(':') {
-        None => structure_named(text).copied(),
-        Some((name, options)) => structure_named(name)?.with_options(options).ok(),
-    }
 }
 
 fn structure_over(mesh: Option<usize>) -> String {
