@@ -58,7 +58,8 @@ impl Quality {
 pub struct BuildConfig {
     /// Time against quality.
     pub quality: Quality,
-    /// The most primitives in a leaf, at least 1; structures with a smaller limit keep theirs.
+    /// The most primitives in a leaf of a tree, at least 1; trees with a smaller limit keep theirs. Partitions of space
+    /// ignore it (`KdTree`, `Grid`, `TwoLevelGrid`, `Octree`): their leaves hold what touches a cell.
     pub max_leaf: u32,
     /// Options of the structure's own; those that it does not offer mean nothing to it.
     pub options: BuildOptions,
