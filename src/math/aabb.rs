@@ -40,20 +40,21 @@ impl Aabb {
         !self.min.cmple(self.max).all()
     }
 
-    /// The middle of the box.
+    /// The middle of the box; NaN for the [empty](Self::EMPTY) one.
     #[must_use]
     pub fn center(&self) -> Vec3A {
         // Halved before they are added: the sum of two large coordinates could overflow.
         0.5 * self.min + 0.5 * self.max
     }
 
-    /// Edge lengths.
+    /// Edge lengths; −∞ for the [empty](Self::EMPTY) box.
     #[must_use]
     pub fn size(&self) -> Vec3A {
         self.max - self.min
     }
 
     /// Half of its surface, in `f64`: proportional to the chance that a random line meets it.
+    /// Infinite for the [empty](Self::EMPTY) box: ask [`is_empty`](Self::is_empty) before.
     #[must_use]
     pub fn half_area(&self) -> f64 {
         let [x, y, z] = self.size().to_array().map(f64::from);
