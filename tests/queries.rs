@@ -15,7 +15,7 @@ use srt::conformance::nasty_meshes::{self, Mesh};
 use srt::counters::{Counters, NoCounters};
 use srt::glam::{DAffine3, DQuat, DVec3, Vec3, Vec3A};
 use srt::math::{Aabb, BoxRay, Hit, Padding, Random, Ray, RayToObject, Transform};
-use srt::shapes::{Ball, Cylinder, Entered, Instance, Single, Triangle, TriangleMesh, TriangleSet};
+use srt::shapes::{Ball, Cylinder, Instance, Single, Triangle, TriangleMesh, TriangleSet};
 
 /// Calls a function of a structure for each of them.
 macro_rules! in_all_structures {
@@ -418,7 +418,7 @@ fn rays_that_are_infinite_within_a_small_object_are_no_reason_to_panic() {
     assert_eq!(rays[0].check(), Ok(()));
     let which: Vec<u32> = (0..64).collect();
     let answers = [Hit::none_before(f32::MAX); 64];
-    let mut entered = Entered::default();
+    let mut entered = srt::shapes::Entered::default();
     instance.enter_many(&ClosestHit, (&rays, &which), &answers, &mut entered);
     assert!(entered.rays.len() == 64 && entered.rays[0].dir == Vec3::INFINITY);
     mesh.answer(&ClosestHit, &entered.rays, &mut [Hit::MISS; 64]);

@@ -264,54 +264,96 @@ fn entered<S: Simd>(node: &Node, slab: &SlabRay, t_min: f32, end: f32) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use std::ops::Range;
+
     use glam::Vec3;
 
     use super::super::{Height, STREAM_LEVELS};
     use super::*;
-    use crate::accel::{Accel, AnyHit, ClosestHit, IntoPrimitives, PACK};
+    use crate::accel::refit::Memory as Followed;
+    use crate::accel::{Accel, AnyHit, Bounded, ClosestHit, NoPacks};
     use crate::counters::NoCounters;
-    use crate::math::{Hit, NONE};
-    use crate::shapes::TriangleMesh;
+    use crate::math::{Aabb, Hit, Padding};
 
-    /// A chain of nodes, each with a triangle and the next node: what no builder makes, but a file may hold.
+    /// Squares across the z axis: number `i` at `z = i`.
+    struct Squares(u32);
+
+    impl Bounded for Squares {
+        fn count(&self) -> u32 {
+            self.0
+        }
+
+        fn bounds(&self, index: u32) -> Aabb {
+            let z = index as f32;
+            Aabb { min: Vec3A::new(0.0, 0.0, z), max: Vec3A::new(1.0, 1.0, z) }
+        }
+
+        fn mean_point(&self) -> Vec3A {
+            Vec3A::ZERO
+        }
+    }
+
+    impl Primitives for Squares {
+        type Packs = NoPacks;
+
+        fn packs(&self) -> &NoPacks {
+            &NoPacks
+        }
+
+        fn padding(&self) -> Padding {
+            Padding { largest: self.0 as f32, factor: 1.0 }
+        }
+
+        fn reorder(&mut self, _: &[u32]) {}
+
+        fn test<Q: Query, C: Counters>(
+            &self,
+            query: &Q,
+            slots: Range<u32>,
+            ray: &Ray,
+            _: &BoxRay,
+            answer: &mut Q::Answer,
+            _: &mut C,
+        ) {
+            for prim in slots {
+                let t = (prim as f32 - ray.origin.z) / ray.dir.z;
+                if ray.t_min <= t && t <= query.end(ray, answer) {
+                    query.record(answer, &Hit { t, object: 0, prim, u: 0.0, v: 0.0 });
+                }
+            }
+        }
+    }
+
+    /// Searches a chain of nodes, each with a square and the next node: what no builder makes, but a file may hold.
+    /// Returns the bytes of the lists.
     fn search_chain(levels: usize) -> usize {
-        let corner = |i: usize| Vec3::new(0.0, 0.0, i as f32);
-        let positions: Vec<Vec3> = (0..levels)
-            .flat_map(|i| [corner(i), corner(i) + Vec3::X, corner(i) + Vec3::Y])
-            .collect();
-        let triangles: Vec<[u32; 3]> =
-            (0..levels as u32).map(|i| [0, 1, 2].map(|c| 3 * i + c)).collect();
-        let order: Vec<u32> = (0..(levels * PACK) as u32)
-            .map(|slot| if slot % 8 == 0 { slot / 8 } else { NONE })
-            .collect();
-        let set = TriangleMesh::new(&positions, &triangles).into_primitives(Some(&order));
+        let squares = Squares(levels as u32);
+        let all = squares.total_bounds();
         let mut nodes = vec![Node::EMPTY; levels];
         for (i, node) in nodes.iter_mut().enumerate() {
-            let [low, high] = [corner(i), corner(levels) + Vec3::ONE].map(Vec3A::from);
-            let bounds = crate::math::Aabb { min: low, max: high };
-            node.set(0, Child::leaf(i, 1), &bounds);
+            node.set(0, Child::leaf(i, 1), &all);
             if i + 1 < levels {
-                node.set(1, Child::node(i + 1), &bounds);
+                node.set(1, Child::node(i + 1), &all);
             }
             node.sort();
         }
         let height = Height::of(&nodes);
         assert_eq!(height, Height { need: levels, levels });
-        let tree = Bvh8 { nodes, block: PACK, height, memory: Default::default() };
-        let rays = [Ray::new(Vec3::new(0.25, 0.25, 2.0 * levels as f32), Vec3::NEG_Z); RAYS];
+        let tree = Bvh8 { nodes, block: 1, height, memory: Followed::default() };
+        let rays = [Ray::new(Vec3::new(0.5, 0.5, levels as f32), Vec3::NEG_Z); RAYS];
         let (mut hits, mut blocked) = ([Hit::MISS; RAYS], [false; RAYS]);
         let (mut scratch, counters) = (Scratch::default(), &mut NoCounters);
-        tree.search(&ClosestHit, &set, &rays, &mut hits, &mut scratch, counters);
-        tree.search(&AnyHit, &set, &rays, &mut blocked, &mut scratch, counters);
+        tree.search(&ClosestHit, &squares, &rays, &mut hits, &mut scratch, counters);
+        tree.search(&AnyHit, &squares, &rays, &mut blocked, &mut scratch, counters);
         assert!(hits.iter().all(|hit| hit.prim == levels as u32 - 1));
         assert!(blocked.iter().all(|&blocked| blocked));
-        scratch.lend(|memory: &mut Memory, _| memory.lists.len() * size_of::<u32>())
+        scratch.lend(|memory: &mut Memory, _| size_of_val(&memory.lists[..]))
     }
 
     #[test]
     fn streams_take_a_limited_memory() {
-        let usual = search_chain(STREAM_LEVELS);
-        assert!(usual > 0 && usual <= 17 << 20, "{usual} bytes");
+        let most = search_chain(STREAM_LEVELS);
+        assert!(most > 0 && most <= 17 << 20, "{most} bytes");
         assert_eq!(search_chain(STREAM_LEVELS + 1), 0, "rays are walked one by one");
     }
 }
