@@ -70,6 +70,7 @@ pub mod accel;
 pub mod conformance;
 pub mod counters;
 pub mod math;
+mod parallel;
 pub mod shapes;
 pub mod simd;
 

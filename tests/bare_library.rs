@@ -11,7 +11,8 @@ use std::path::Path;
 const MOST: usize = 8;
 
 /// The layers that it consists of.
-const LAYERS: [&str; 6] = ["accel", "conformance", "counters", "math", "shapes", "simd"];
+const LAYERS: [&str; 7] =
+    ["accel", "conformance", "counters", "math", "parallel", "shapes", "simd"];
 
 fn text(path: &str) -> String {
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap()
@@ -84,7 +85,8 @@ fn entries_of(manifest: &str, is_wanted: impl Fn(&str) -> bool) -> Vec<(String, 
 fn unconditional_modules(root: &str) -> BTreeSet<&str> {
     let lines: Vec<_> = root.lines().collect();
     let pairs = lines.windows(2).filter(|pair| !pair[0].starts_with("#[cfg("));
-    pairs.filter_map(|pair| pair[1].strip_prefix("pub mod ")?.strip_suffix(';')).collect()
+    let modules = pairs.map(|pair| pair[1].trim_start_matches("pub "));
+    modules.filter_map(|module| module.strip_prefix("mod ")?.strip_suffix(';')).collect()
 }
 
 #[test]

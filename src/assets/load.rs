@@ -10,6 +10,7 @@ use super::error::LoadFailure;
 use super::source::{Key, Source};
 use super::{AssetError, MemoryShortage, MeshData, MeshFiles, Problem, expect_memory};
 use crate::description::MeshReference;
+use crate::parallel::values;
 
 /// Loads the meshes of a scene: the i-th of the result is that of the i-th reference.
 ///
@@ -168,15 +169,15 @@ fn each<T: Clone + Send + Sync>(
             })
         })
         .collect();
-    let act =
-        |(&(reference, source), shortage): (&(usize, &Source<'_>), Option<MemoryShortage>)| {
-            let done = match shortage {
-                Some(shortage) => Err(source.too_large(shortage)),
-                None => act(source),
-            };
-            done.map_err(|failure| Box::new(failure.for_reference(reference)))
+    let shortages = shortages(&distinct, bytes);
+    let done = values(distinct.len(), &|place| {
+        let (reference, source) = distinct[place];
+        let done = match shortages[place] {
+            Some(shortage) => Err(source.too_large(shortage)),
+            None => act(source),
         };
-    let done: Vec<_> = distinct.par_iter().zip(shortages(&distinct, bytes)).map(act).collect();
+        done.map_err(|failure| Box::new(failure.for_reference(reference)))
+    });
     let results = slot_of.into_iter().map(|slot| done[slot].as_ref().ok().cloned()).collect();
     (results, done.into_iter().filter_map(|done| done.err().map(|error| *error)).collect())
 }

@@ -22,4 +22,4 @@ pub use isa::{Isa, IsaError, Kernel, dispatch};
 pub use prefetch::Cache;
 pub(crate) use prefetch::prefetch;
 pub use row::{LANES, LARGEST_PACKET, PacketKernel, Row, Simd, splat3};
-pub(crate) use table::{concatenated, table};
+pub(crate) use table::{concatenated, extend, table};

@@ -5,7 +5,12 @@
 
 use rayon::prelude::*;
 
+use crate::parallel::for_chunks;
+
 use super::ask_for_huge_pages;
+
+/// So many values are made by a thread at a time.
+const AT_ONCE: usize = 1 << 9;
 
 /// A table of so many values. Each is `blank` until `fill`, which is told its place, has changed it.
 pub(crate) fn table<T: Copy + Send + Sync>(
@@ -16,12 +21,33 @@ pub(crate) fn table<T: Copy + Send + Sync>(
     let mut table = Vec::with_capacity(count);
     let room = &mut table.spare_capacity_mut()[..count];
     ask_for_huge_pages(room);
-    let places = room.par_iter_mut().enumerate();
-    places.for_each(|(place, room)| fill(place, room.write(blank)));
+    for_chunks(room, AT_ONCE, &|first, room| {
+        for (place, room) in (first..).zip(room) {
+            fill(place, room.write(blank));
+        }
+    });
     // SAFETY: there is room for so many values, and each of them was written. After a panic there are none, and what
     // was written needs no drop.
     unsafe { table.set_len(count) };
     table
+}
+
+/// Puts so many values behind those of a list: `value` is told the place of each among them.
+pub(crate) fn extend<T: Send>(
+    list: &mut Vec<T>,
+    count: usize,
+    value: impl Fn(usize) -> T + Send + Sync,
+) {
+    list.reserve(count);
+    let room = &mut list.spare_capacity_mut()[..count];
+    for_chunks(room, AT_ONCE, &|first, room| {
+        for (place, room) in (first..).zip(room) {
+            room.write(value(place));
+        }
+    });
+    // SAFETY: there is room for so many values behind the others, and each of them was written. After a panic the list
+    // is as it was, and what was written is forgotten.
+    unsafe { list.set_len(list.len() + count) };
 }
 
 /// The values of some parts, one part behind the other.
@@ -72,6 +98,16 @@ mod tests {
         for lengths in [vec![], vec![0], vec![3, 0, 1], vec![100_000, 7, 200_000]] {
             let expected: Vec<i32> = lengths.iter().flat_map(|&n| 0..n).collect();
             assert_eq!(concatenated(lengths.into_iter().map(|n| 0..n).collect()), expected);
+        }
+    }
+
+    #[test]
+    fn values_are_put_behind_others() {
+        let mut list = vec![7];
+        for count in [0, 1, 70_000] {
+            let (before, expected) = (list.clone(), (0..count).map(|place| 3 * place));
+            extend(&mut list, count, |place| 3 * place);
+            assert!(list.iter().copied().eq(before.into_iter().chain(expected)));
         }
     }
 

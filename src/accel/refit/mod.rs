@@ -18,9 +18,8 @@ mod rotate;
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use crate::math::Aabb;
+use crate::parallel::for_chunks;
 
 use self::paths::Paths;
 use super::{PACK, Packs, Primitives};
@@ -229,7 +228,7 @@ pub(super) fn follow<N: FitNode>(
     update: Update,
     moved: Moved<'_>,
     (nodes, memory): (&mut Vec<N>, &mut Memory),
-    leader: &impl Leader<N>,
+    leader: &dyn Leader<N>,
 ) -> Followed {
     /// For so many slots a node it is no more work to go through all.
     const MANY: usize = 4;
@@ -245,13 +244,12 @@ pub(super) fn follow<N: FitNode>(
             }
         }
         Moved::Slots(_) | Moved::All => {
-            nodes.par_chunks_mut(CHUNK).for_each(|nodes| leader.fit_leaves(nodes));
+            for_chunks(nodes, CHUNK, &|_, nodes| leader.fit_leaves(nodes));
             leader.fit_inner(nodes);
             if update == Update::Rotate && rotate::all(nodes, leader.block()) {
                 *memory = Memory::default();
             }
-            let settle = |nodes: &mut [N]| nodes.iter_mut().for_each(N::settle);
-            nodes.par_chunks_mut(CHUNK).for_each(settle);
+            for_chunks(nodes, CHUNK, &|_, nodes| nodes.iter_mut().for_each(N::settle));
         }
     }
     let bounds = nodes[0].bounds();

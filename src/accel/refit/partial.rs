@@ -16,9 +16,8 @@
 //! copied, which takes far less time than to build it. Parts are built in parallel, each by itself, and laid out in the
 //! order of their roots: nothing depends on the number of threads.
 
-use rayon::prelude::*;
-
 use crate::math::NONE;
+use crate::parallel::values;
 
 use super::super::order::in_32_bits;
 use super::{Below, FitNode, Grown, Leader};
@@ -88,7 +87,7 @@ fn look_at<N: FitNode>(nodes: &[N], built: Option<&[f32]>, block: usize) -> Look
 pub(super) fn regrow<N: FitNode>(
     nodes: &mut Vec<N>,
     built: &mut Vec<f32>,
-    leader: &impl Leader<N>,
+    leader: &dyn Leader<N>,
 ) -> Option<Vec<u32>> {
     let block = leader.block();
     let Look { is_worse, .. } = look_at(nodes, Some(built), block);
@@ -96,7 +95,8 @@ pub(super) fn regrow<N: FitNode>(
     if roots.is_empty() {
         return None;
     }
-    let parts = roots.into_par_iter().filter_map(|root| {
+    let parts = values(roots.len(), &|place| {
+        let root = roots[place];
         let mut slots = slots_below(nodes, root, block);
         leader.sort(&mut slots);
         let Grown { nodes, order } = leader.grow(&slots);
@@ -104,7 +104,7 @@ pub(super) fn regrow<N: FitNode>(
         let order = order.into_iter().map(slot).collect();
         (!nodes.is_empty()).then_some(Part { root, nodes, order })
     });
-    let parts: Vec<_> = parts.collect();
+    let parts: Vec<_> = parts.into_iter().flatten().collect();
     if parts.is_empty() {
         return None;
     }
@@ -178,7 +178,7 @@ struct Layout<N> {
 
 impl<N: FitNode> Layout<N> {
     /// The parts are in the order of their roots.
-    fn new(nodes: &[N], parts: &[Part<N>], leader: &impl Leader<N>) -> Self {
+    fn new(nodes: &[N], parts: &[Part<N>], leader: &dyn Leader<N>) -> Self {
         let (block, grain) = (leader.block(), leader.grain());
         let mut roots = parts.iter().map(|part| part.root).peekable();
         let mut is_root = vec![false; nodes.len()];

@@ -60,7 +60,7 @@ impl Paths {
         &self,
         nodes: &mut [N],
         slots: &[u32],
-        leader: &impl Leader<N>,
+        leader: &dyn Leader<N>,
     ) -> Vec<usize> {
         // Behind the last leaf, slots are empty.
         let leaf_of = |&slot: &u32| self.leaves.get(slot as usize).copied();

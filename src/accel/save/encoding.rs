@@ -9,7 +9,8 @@ use glam::{Vec3, Vec3A};
 use rayon::prelude::*;
 
 use crate::math::Aabb;
-use crate::simd::ask_for_huge_pages;
+use crate::parallel::for_chunks;
+use crate::simd::{ask_for_huge_pages, extend};
 
 use super::LoadError;
 use super::checksum::{Fnv, xxh64};
@@ -18,7 +19,7 @@ use super::checksum::{Fnv, xxh64};
 const PIECE: usize = 1 << 18;
 const PIECES: usize = 8;
 
-/// So many elements are converted by a thread at a time, at least.
+/// So many elements are converted by a thread at a time.
 const AT_ONCE: usize = 1 << 10;
 
 /// Elements of `N` words that have a checksum together.
@@ -73,16 +74,22 @@ impl<'a> Encoder<'a> {
     ) -> io::Result<()> {
         let mut bytes = Vec::new();
         for group in list.chunks(PIECES * const { in_piece(N) }) {
-            let words = group.par_iter().with_min_len(AT_ONCE).map(&words);
-            let of_group = words.map(|words| words.map(u32::to_le_bytes));
-            of_group.collect_into_vec(&mut bytes);
-            for piece in bytes.chunks(const { in_piece(N) }) {
-                let sum = xxh64(piece.as_flattened().as_flattened());
-                self.bytes(&sum.to_le_bytes())?;
-            }
-            self.out.write_all(bytes.as_flattened().as_flattened())?;
+            bytes.resize(N * group.len(), [0; 4]);
+            for_chunks(&mut bytes, N * AT_ONCE, &|first, bytes| {
+                let (of_elements, _) = bytes.as_chunks_mut::<N>();
+                for (bytes, element) in of_elements.iter_mut().zip(&group[first / N..]) {
+                    *bytes = words(element).map(u32::to_le_bytes);
+                }
+            });
+            self.group(bytes.as_flattened(), const { 4 * N * in_piece(N) })?;
         }
         Ok(())
+    }
+
+    /// Writes a group of a list, in pieces of so many bytes, behind their checksums.
+    fn group(&mut self, bytes: &[u8], piece: usize) -> io::Result<()> {
+        bytes.chunks(piece).try_for_each(|piece| self.bytes(&xxh64(piece).to_le_bytes()))?;
+        self.out.write_all(bytes)
     }
 
     /// Writes a name behind its length.
@@ -169,31 +176,29 @@ impl<'a> Decoder<'a> {
             list.reserve_exact(length as usize);
             ask_for_huge_pages(list.spare_capacity_mut());
         }
-        let mut sums = Vec::new();
         let mut left = length as usize;
         while left > 0 {
             let count = left.min(PIECES * const { in_piece(N) });
             left -= count;
-            sums.resize(count.div_ceil(const { in_piece(N) }), [0; 8]);
-            self.input.read_exact(sums.as_flattened_mut())?;
-            self.checksum.add(sums.as_flattened());
-            self.group.resize(4 * N * count, 0);
-            self.input.read_exact(&mut self.group)?;
-            let pieces = self.group.par_chunks(const { 4 * N * in_piece(N) });
-            let are_right =
-                pieces.zip(&sums).all(|(piece, sum)| xxh64(piece) == u64::from_le_bytes(*sum));
-            if !are_right {
-                return Err(LoadError::Damaged { what });
-            }
-            let (words, _) = self.group.as_chunks::<4>();
-            let elements = words.par_chunks_exact(N).with_min_len(AT_ONCE);
-            list.par_extend(elements.map(|words| {
-                let words: &[_; N] = words.first_chunk().expect("elements are whole");
-                element(words.map(u32::from_le_bytes))
-            }));
+            self.group(4 * N * count, const { 4 * N * in_piece(N) }, what)?;
+            let (words, _) = self.group.as_chunks();
+            let (words, _): (&[[_; N]], _) = words.as_chunks();
+            extend(&mut list, count, |place| element(words[place].map(u32::from_le_bytes)));
         }
         list.shrink_to_fit();
         Ok(list)
+    }
+
+    /// Reads a group of so many bytes, in pieces, of the list that errors call so.
+    fn group(&mut self, bytes: usize, piece: usize, what: &'static str) -> Result<(), LoadError> {
+        let mut sums = vec![[0; 8]; bytes.div_ceil(piece)];
+        self.input.read_exact(sums.as_flattened_mut())?;
+        self.checksum.add(sums.as_flattened());
+        self.group.resize(bytes, 0);
+        self.input.read_exact(&mut self.group)?;
+        let pieces = self.group.par_chunks(piece).zip(&sums);
+        let are_right = pieces.all(|(piece, sum)| xxh64(piece) == u64::from_le_bytes(*sum));
+        if are_right { Ok(()) } else { Err(LoadError::Damaged { what }) }
     }
 
     /// Reads a name behind its length.
