@@ -12,18 +12,18 @@ use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 use rayon::prelude::*;
 
-use super::super::{Bounded, BuildStages};
-use super::USUAL_DEPTH;
+use super::super::BuildStages;
 use super::branch::Branch;
 use super::reference::{Corners, Reference};
 use super::terms::Terms;
+use super::{Boxed, USUAL_DEPTH};
 
 /// Parts of at least so many primitives are built in parallel.
 const PARALLEL: usize = 1 << 12;
 
 /// Builds a tree over at least one primitive.
-pub(super) fn build(primitives: &impl Bounded, terms: Terms, stages: &mut BuildStages) -> Bvh2 {
-    let references = stages.time("boxes", || Reference::all(primitives));
+pub(super) fn build(primitives: &dyn Boxed, terms: Terms, stages: &mut BuildStages) -> Bvh2 {
+    let references = stages.time("boxes", || primitives.references());
     tree(&references, terms, stages)
 }
 

@@ -14,13 +14,13 @@ use rayon::prelude::*;
 
 use crate::simd::{Kernel, Simd, dispatch};
 
-use super::super::{Bounded, BuildStages};
-use super::USUAL_DEPTH;
+use super::super::BuildStages;
 use super::branch::Branch;
 use super::reference::{Centers, Corners, NOWHERE, Reference};
 use super::sorted::is_dense;
 use super::split::{Scratch, Splitting};
 use super::terms::Terms;
+use super::{Boxed, USUAL_DEPTH};
 
 /// Parts of at least so many primitives are built in parallel.
 const PARALLEL: usize = 1 << 13;
@@ -31,8 +31,8 @@ const PARALLEL: usize = 1 << 13;
 const LARGE: f32 = 0.01;
 
 /// Builds a tree over at least one primitive.
-pub(super) fn build(primitives: &impl Bounded, terms: Terms, stages: &mut BuildStages) -> Bvh2 {
-    let mut references = stages.time("boxes", || Reference::all(primitives));
+pub(super) fn build(primitives: &dyn Boxed, terms: Terms, stages: &mut BuildStages) -> Bvh2 {
+    let mut references = stages.time("boxes", || primitives.references());
     stages.time("tree", || tree(&mut references, terms))
 }
 

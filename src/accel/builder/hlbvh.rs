@@ -10,19 +10,18 @@ use rayon::prelude::*;
 
 use crate::math::Aabb;
 
-use super::super::build::obvhs_boxes;
-use super::super::{Bounded, BuildStages};
+use super::super::BuildStages;
 use super::branch::Branch;
 use super::lbvh::{CODE_BITS, Coded, Curve, coded};
 use super::terms::{Effort, Terms};
-use super::{Boxes, binned, top_down};
+use super::{Boxed, Boxes, binned, top_down};
 
 /// The bits that the codes of a cluster share: cells of a grid of 16 along each axis.
 const SHARED: u32 = 12;
 
 /// Builds a tree over at least one primitive.
-pub(super) fn build(primitives: &impl Bounded, effort: Effort, stages: &mut BuildStages) -> Bvh2 {
-    let boxes = stages.time("boxes", || obvhs_boxes(primitives));
+pub(super) fn build(primitives: &dyn Boxed, effort: Effort, stages: &mut BuildStages) -> Bvh2 {
+    let boxes = stages.time("boxes", || primitives.obvhs_boxes());
     let mut coded = stages.time("codes", || coded(&boxes));
     stages.time("sort", || coded.par_sort_unstable());
     let clusters = stages.time("clusters", || clusters(&Curve(&boxes), &mut coded));

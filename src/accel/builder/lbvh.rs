@@ -12,8 +12,8 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
 
-use super::super::build::obvhs_boxes;
-use super::super::{Bounded, BuildStages};
+use super::super::BuildStages;
+use super::Boxed;
 use super::top_down::{self, Division};
 
 /// Bits of a coordinate.
@@ -23,8 +23,8 @@ const BITS: u32 = 21;
 pub(super) const CODE_BITS: u32 = 3 * BITS;
 
 /// Builds a tree over at least one primitive.
-pub(super) fn build(primitives: &impl Bounded, stages: &mut BuildStages) -> Bvh2 {
-    let boxes = stages.time("boxes", || obvhs_boxes(primitives));
+pub(super) fn build(primitives: &dyn Boxed, stages: &mut BuildStages) -> Bvh2 {
+    let boxes = stages.time("boxes", || primitives.obvhs_boxes());
     let mut coded = stages.time("codes", || coded(&boxes));
     stages.time("sort", || coded.par_sort_unstable());
     stages.time("tree", || top_down::build(&Curve(&boxes), &mut coded))

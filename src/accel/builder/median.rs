@@ -10,14 +10,15 @@ use glam::Vec4;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 
-use super::super::{Bounded, BuildStages};
+use super::super::BuildStages;
+use super::Boxed;
 use super::bins::widest_axis;
 use super::reference::{NOWHERE, Reference};
 use super::top_down::{self, Division};
 
 /// Builds a tree over at least one primitive.
-pub(super) fn build(primitives: &impl Bounded, stages: &mut BuildStages) -> Bvh2 {
-    let mut references = stages.time("boxes", || Reference::all(primitives));
+pub(super) fn build(primitives: &dyn Boxed, stages: &mut BuildStages) -> Bvh2 {
+    let mut references = stages.time("boxes", || primitives.references());
     stages.time("tree", || top_down::build(&Median, &mut references))
 }
 

@@ -47,10 +47,11 @@ mod walked;
 use glam::Vec3A;
 use obvhs::bvh2::Bvh2;
 use obvhs::ploc::PlocBuilder;
-use rayon::prelude::*;
 
 use crate::math::Aabb;
+use crate::simd::table;
 
+use self::reference::Reference;
 use self::terms::{Effort, Terms};
 use super::build::obvhs_boxes;
 use super::{Allowed, Bounded, BuildOptions, BuildStages, OptionInfo, Quality};
@@ -170,7 +171,7 @@ impl Builder {
     /// leaves may refer to a primitive if `cuts` says so.
     fn tree(
         self,
-        primitives: &impl Bounded,
+        primitives: &dyn Boxed,
         [pack, most]: [u32; 2],
         quality: Quality,
         cuts: bool,
@@ -190,7 +191,7 @@ impl Builder {
             Self::Svenstaro => svenstaro::build(primitives, stages),
             Self::Sbvh => spatial::build(primitives, terms, cuts, stages),
             Self::Ploc => {
-                let boxes = stages.time("boxes", || obvhs_boxes(primitives));
+                let boxes = stages.time("boxes", || primitives.obvhs_boxes());
                 let build = || {
                     PlocBuilder::with_capacity(boxes.len()).build(
                         parameters.ploc_search_distance,
@@ -212,13 +213,34 @@ pub(super) fn cuts(grain: u32) -> bool {
     grain > 1
 }
 
+/// Primitives whose boxes are asked for all at once, so that builders are compiled once for all primitives.
+trait Boxed {
+    /// The boxes as obvhs's builders take them.
+    fn obvhs_boxes(&self) -> Vec<obvhs::aabb::Aabb>;
+
+    /// The boxes with their indices.
+    fn references(&self) -> Vec<Reference>;
+}
+
+impl<P: Bounded> Boxed for P {
+    fn obvhs_boxes(&self) -> Vec<obvhs::aabb::Aabb> {
+        obvhs_boxes(self)
+    }
+
+    fn references(&self) -> Vec<Reference> {
+        Reference::all(self)
+    }
+}
+
 /// Boxes of nothing else.
 pub(super) struct Boxes(pub(super) Vec<Aabb>);
 
 impl Boxes {
     /// Those of some primitives.
     pub(super) fn of(primitives: &impl Bounded, some: &[u32]) -> Self {
-        Self(some.par_iter().map(|&index| primitives.bounds(index)).collect())
+        Self(table(some.len(), Aabb::EMPTY, |place, bounds| {
+            *bounds = primitives.bounds(some[place]);
+        }))
     }
 }
 

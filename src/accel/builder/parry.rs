@@ -12,7 +12,8 @@ use parry3d::bounding_volume;
 use parry3d::math::Vector;
 use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhNodeIndex, TraversalAction};
 
-use super::super::{Bounded, BuildStages};
+use super::super::BuildStages;
+use super::Boxed;
 use super::walked::{self, FORK};
 
 /// The library calls itself for each level. A level of its tree has 7/8 of the length of the one above, or less, along
@@ -23,7 +24,7 @@ const STACK: usize = 64 << 20;
 const FEW: usize = 128;
 
 /// Builds a tree over at least one primitive.
-pub(super) fn build(primitives: &impl Bounded, stages: &mut BuildStages) -> Bvh2 {
+pub(super) fn build(primitives: &dyn Boxed, stages: &mut BuildStages) -> Bvh2 {
     walked::build(primitives, walk_with_room, stages)
 }
 

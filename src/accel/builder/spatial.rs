@@ -16,13 +16,13 @@ use obvhs::bvh2::node::Bvh2Node;
 
 use crate::simd::dispatch;
 
-use super::super::{Bounded, BuildStages};
-use super::USUAL_DEPTH;
+use super::super::BuildStages;
 use super::binned::around;
 use super::branch::Branch;
 use super::reference::{Corners, Reference};
 use super::split::{Scratch, Splitting};
 use super::terms::{Effort, Terms};
+use super::{Boxed, USUAL_DEPTH};
 
 /// Parts of at least so many references are built in parallel.
 const PARALLEL: usize = 1 << 12;
@@ -39,12 +39,12 @@ const SLABS: usize = 32;
 
 /// Builds a tree over at least one primitive; `cuts` says whether boxes are cut at all.
 pub(super) fn build(
-    primitives: &impl Bounded,
+    primitives: &dyn Boxed,
     terms: Terms,
     cuts: bool,
     stages: &mut BuildStages,
 ) -> Bvh2 {
-    let references = stages.time("boxes", || Reference::all(primitives));
+    let references = stages.time("boxes", || primitives.references());
     stages.time("tree", || tree(references, terms, cuts))
 }
 

@@ -15,11 +15,12 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
 
-use super::super::{Bounded, BuildStages};
+use super::super::BuildStages;
+use super::Boxed;
 use super::walked::{self, FORK};
 
 /// Builds a tree over at least one primitive.
-pub(super) fn build(primitives: &impl Bounded, stages: &mut BuildStages) -> Bvh2 {
+pub(super) fn build(primitives: &dyn Boxed, stages: &mut BuildStages) -> Bvh2 {
     walked::build(primitives, walk, stages)
 }
 

@@ -6,7 +6,8 @@
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
-use rayon::prelude::*;
+
+use crate::simd::table;
 
 use super::branch::Branch;
 
@@ -29,7 +30,8 @@ pub(super) trait Division: Sync {
 /// Builds a tree over at least one primitive.
 pub(super) fn build<D: Division>(division: &D, items: &mut [D::Item]) -> Bvh2 {
     let nodes = grow(division, items, 0).into_nodes();
-    let primitive_indices = items.par_iter().map(|item| division.leaf(item).0).collect();
+    let primitive_indices =
+        table(items.len(), 0, |place, index| *index = division.leaf(&items[place]).0);
     Bvh2 { nodes, primitive_indices, ..Bvh2::default() }
 }
 

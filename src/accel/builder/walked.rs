@@ -11,9 +11,8 @@ use obvhs::bvh2::node::Bvh2Node;
 
 use crate::math::NONE;
 
-use super::super::build::obvhs_boxes;
-use super::super::{Bounded, BuildStages};
-use super::USUAL_DEPTH;
+use super::super::BuildStages;
+use super::{Boxed, USUAL_DEPTH};
 
 /// The largest coordinate that is shown to a library: squares of lengths are numbers of single precision.
 const LARGEST: f32 = 1e18;
@@ -30,11 +29,11 @@ pub(super) fn shown(bounds: &Aabb) -> [[f32; 3]; 2] {
 
 /// Builds a tree over at least one primitive by the walk through a library's, which it makes over the boxes.
 pub(super) fn build(
-    primitives: &impl Bounded,
+    primitives: &dyn Boxed,
     walk: fn(&[Aabb]) -> Vec<u32>,
     stages: &mut BuildStages,
 ) -> Bvh2 {
-    let boxes = stages.time("boxes", || obvhs_boxes(primitives));
+    let boxes = stages.time("boxes", || primitives.obvhs_boxes());
     stages.time("tree", || tree(&walk(&boxes), &boxes))
 }
 
