@@ -32,10 +32,16 @@ const AHEAD: usize = 12;
 /// needed: objects are tested one by one.
 #[derive(Clone, Debug)]
 pub struct ObjectList<A> {
+    stored: StoredObjects,
+    meshes: Vec<Arc<Indexed<TriangleSet, A>>>,
+}
+
+/// The objects without their meshes: what is made of them is compiled once for all structures.
+#[derive(Clone, Debug)]
+struct StoredObjects {
     objects: Vec<StoredInstance>,
     to_object: Vec<RayToObject>,
     singles: Vec<Single>,
-    meshes: Vec<Arc<Indexed<TriangleSet, A>>>,
     padding: Padding,
     /// The slot of each object, once objects have moved.
     slots: Vec<u32>,
@@ -66,12 +72,58 @@ impl<A: Accel> ObjectList<A> {
     /// If there are 2³² − 1 objects or more.
     #[must_use]
     pub fn new(scene: &Scene, meshes: &[Arc<Indexed<TriangleSet, A>>]) -> Self {
+        Self { stored: StoredObjects::new(scene), meshes: meshes.to_vec() }
+    }
+
+    /// The same list as [`new`](Self::new), its objects in an order of slots; each is in one. `None` if rays cannot be
+    /// taken to an object's own space.
+    pub(super) fn in_order(
+        scene: &Scene,
+        meshes: &[Arc<Indexed<TriangleSet, A>>],
+        order: &[u32],
+    ) -> Option<Self> {
+        Some(Self { stored: StoredObjects::in_order(scene, order)?, meshes: meshes.to_vec() })
+    }
+
+    /// The object in each slot.
+    pub(super) fn ids(&self) -> Vec<u32> {
+        self.stored.objects.iter().map(|object| object.id).collect()
+    }
+
+    /// Takes the meshes out, for as long as they change, and puts others in.
+    pub(super) fn swap_meshes(&mut self, meshes: &mut Vec<Arc<Indexed<TriangleSet, A>>>) {
+        std::mem::swap(&mut self.meshes, meshes);
+    }
+
+    /// The object in a slot.
+    pub(super) fn id_of(&self, slot: u32) -> u32 {
+        self.stored.objects[slot as usize].id
+    }
+
+    /// The slots of some objects.
+    pub(super) fn slots_of(&mut self, objects: &[u32]) -> Vec<u32> {
+        self.stored.slots_of(objects)
+    }
+
+    /// Moves objects to where they are now; [`settle`](Self::settle) is to follow. `slots` are those of the objects
+    /// that have moved.
+    pub(super) fn move_to(&mut self, change: &SceneChange<'_>, slots: &[u32]) {
+        self.stored.move_to(change, slots);
+    }
+
+    /// Takes note of the box around all objects after they were moved.
+    pub(super) fn settle(&mut self, bounds: &Aabb) {
+        self.stored.padding.largest = bounds.largest_coordinate();
+    }
+}
+
+impl StoredObjects {
+    fn new(scene: &Scene) -> Self {
         assert!(scene.objects.len() < NONE as usize, "fewer than 2^32 - 1 objects");
         let mut list = Self {
             objects: Vec::with_capacity(scene.objects.len()),
             to_object: Vec::new(),
             singles: Vec::new(),
-            meshes: meshes.to_vec(),
             padding: Padding { largest: scene.bounds().largest_coordinate(), factor: 1.0 },
             slots: Vec::new(),
         };
@@ -87,13 +139,7 @@ impl<A: Accel> ObjectList<A> {
         list
     }
 
-    /// The same list as [`new`](Self::new), its objects in an order of slots; each is in one. `None` if rays cannot be
-    /// taken to an object's own space.
-    pub(super) fn in_order(
-        scene: &Scene,
-        meshes: &[Arc<Indexed<TriangleSet, A>>],
-        order: &[u32],
-    ) -> Option<Self> {
+    fn in_order(scene: &Scene, order: &[u32]) -> Option<Self> {
         let stored = |(slot, &id): (usize, &u32)| {
             // Slots are in another order than ids: what comes next is not in the caches.
             if let Some(&next) = order.get(slot + AHEAD) {
@@ -144,29 +190,12 @@ impl<A: Accel> ObjectList<A> {
             objects,
             to_object,
             singles,
-            meshes: meshes.to_vec(),
             padding: Padding { largest: scene.bounds().largest_coordinate(), factor },
             slots: Vec::new(),
         })
     }
 
-    /// The object in each slot.
-    pub(super) fn ids(&self) -> Vec<u32> {
-        self.objects.iter().map(|object| object.id).collect()
-    }
-
-    /// Takes the meshes out, for as long as they change, and puts others in.
-    pub(super) fn swap_meshes(&mut self, meshes: &mut Vec<Arc<Indexed<TriangleSet, A>>>) {
-        std::mem::swap(&mut self.meshes, meshes);
-    }
-
-    /// The object in a slot.
-    pub(super) fn id_of(&self, slot: u32) -> u32 {
-        self.objects[slot as usize].id
-    }
-
-    /// The slots of some objects.
-    pub(super) fn slots_of(&mut self, objects: &[u32]) -> Vec<u32> {
+    fn slots_of(&mut self, objects: &[u32]) -> Vec<u32> {
         if self.slots.len() != self.objects.len() {
             self.slots = vec![0; self.objects.len()];
             for (slot, object) in (0..).zip(&self.objects) {
@@ -176,9 +205,7 @@ impl<A: Accel> ObjectList<A> {
         objects.iter().map(|&object| self.slots[object as usize]).collect()
     }
 
-    /// Moves objects to where they are now; [`settle`](Self::settle) is to follow. `slots` are those of the objects
-    /// that have moved.
-    pub(super) fn move_to(&mut self, change: &SceneChange<'_>, slots: &[u32]) {
+    fn move_to(&mut self, change: &SceneChange<'_>, slots: &[u32]) {
         for (&id, &slot) in change.objects.iter().zip(slots) {
             let object = &change.after.objects[id as usize];
             let stored = &mut self.objects[slot as usize];
@@ -219,11 +246,6 @@ impl<A: Accel> ObjectList<A> {
         self.padding.factor.max(cut(largest))
     }
 
-    /// Takes note of the box around all objects after they were moved.
-    pub(super) fn settle(&mut self, bounds: &Aabb) {
-        self.padding.largest = bounds.largest_coordinate();
-    }
-
     fn place(&mut self, id: u32, object: &Object, to_object: Option<RayToObject>) {
         let form = match object.shape {
             Shape::Single(single) => StoredForm::Single(push(&mut self.singles, single)),
@@ -232,41 +254,10 @@ impl<A: Accel> ObjectList<A> {
         let to_object = to_object.map_or(NONE, |to_object| push(&mut self.to_object, to_object));
         self.objects.push(StoredInstance { corners: object.corners, to_object, form, id });
     }
-}
-
-/// Appends a value; returns its index.
-fn push<T>(values: &mut Vec<T>, value: T) -> u32 {
-    values.push(value);
-    (values.len() - 1) as u32
-}
-
-impl<A: Accel> Bounded for ObjectList<A> {
-    // A scene with others is refused.
-    const SOUND_BOXES: bool = true;
-
-    fn count(&self) -> u32 {
-        self.objects.len() as u32
-    }
-
-    fn bounds(&self, index: u32) -> Aabb {
-        self.objects[index as usize].bounds()
-    }
 
     fn mean_point(&self) -> Vec3A {
         let sum = self.objects.iter().map(|object| object.bounds().center()).sum::<Vec3A>();
         sum / self.objects.len().max(1) as f32
-    }
-}
-
-impl<A: Accel> Primitives for ObjectList<A> {
-    type Packs = NoPacks;
-
-    fn packs(&self) -> &NoPacks {
-        &NoPacks
-    }
-
-    fn padding(&self) -> Padding {
-        self.padding
     }
 
     /// What the objects refer to comes into the order of the objects, too.
@@ -290,6 +281,65 @@ impl<A: Accel> Primitives for ObjectList<A> {
         self.slots.clear();
     }
 
+    #[inline(always)]
+    fn in_slots(&self, slots: Range<u32>) -> &[StoredInstance] {
+        &self.objects[slots.start as usize..slots.end as usize]
+    }
+
+    #[inline(always)]
+    fn instance(&self, object: &StoredInstance) -> Instance<'_> {
+        Instance {
+            to_object: self.to_object.get(object.to_object as usize),
+            bounds: object.bounds(),
+            padding: self.padding,
+            object: object.id,
+        }
+    }
+
+    #[inline(always)]
+    fn single(&self, index: u32) -> &Single {
+        &self.singles[index as usize]
+    }
+}
+
+/// Appends a value; returns its index.
+fn push<T>(values: &mut Vec<T>, value: T) -> u32 {
+    values.push(value);
+    (values.len() - 1) as u32
+}
+
+impl<A: Accel> Bounded for ObjectList<A> {
+    // A scene with others is refused.
+    const SOUND_BOXES: bool = true;
+
+    fn count(&self) -> u32 {
+        self.stored.objects.len() as u32
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.stored.objects[index as usize].bounds()
+    }
+
+    fn mean_point(&self) -> Vec3A {
+        self.stored.mean_point()
+    }
+}
+
+impl<A: Accel> Primitives for ObjectList<A> {
+    type Packs = NoPacks;
+
+    fn packs(&self) -> &NoPacks {
+        &NoPacks
+    }
+
+    fn padding(&self) -> Padding {
+        self.stored.padding
+    }
+
+    fn reorder(&mut self, order: &[u32]) {
+        self.stored.reorder(order);
+    }
+
     #[inline]
     fn test<Q: Query, C: Counters>(
         &self,
@@ -300,12 +350,12 @@ impl<A: Accel> Primitives for ObjectList<A> {
         answer: &mut Q::Answer,
         counters: &mut C,
     ) {
-        for object in self.in_slots(slots) {
-            let instance = self.instance(object);
+        for object in self.stored.in_slots(slots) {
+            let instance = self.stored.instance(object);
             match object.form {
                 StoredForm::Single(single) => {
                     counters.primitives(1);
-                    self.single(single).test(query, &instance, ray, box_ray, answer);
+                    self.stored.single(single).test(query, &instance, ray, box_ray, answer);
                 }
                 StoredForm::Mesh(mesh) => {
                     let mesh = self.mesh(mesh);
@@ -327,13 +377,13 @@ impl<A: Accel> Primitives for ObjectList<A> {
         scratch: &mut Scratch,
         counters: &mut C,
     ) {
-        for object in self.in_slots(slots) {
-            let instance = self.instance(object);
+        for object in self.stored.in_slots(slots) {
+            let instance = self.stored.instance(object);
             let of_rays = (rays, which);
             match object.form {
                 StoredForm::Single(single) => {
                     counters.primitives(which.len() as u32);
-                    self.single(single).test_many(query, &instance, of_rays, answers);
+                    self.stored.single(single).test_many(query, &instance, of_rays, answers);
                 }
                 StoredForm::Mesh(mesh) => {
                     let mesh = self.mesh(mesh);
@@ -345,26 +395,6 @@ impl<A: Accel> Primitives for ObjectList<A> {
 }
 
 impl<A> ObjectList<A> {
-    #[inline(always)]
-    fn in_slots(&self, slots: Range<u32>) -> &[StoredInstance] {
-        &self.objects[slots.start as usize..slots.end as usize]
-    }
-
-    #[inline(always)]
-    fn instance(&self, object: &StoredInstance) -> Instance<'_> {
-        Instance {
-            to_object: self.to_object.get(object.to_object as usize),
-            bounds: object.bounds(),
-            padding: self.padding,
-            object: object.id,
-        }
-    }
-
-    #[inline(always)]
-    fn single(&self, index: u32) -> &Single {
-        &self.singles[index as usize]
-    }
-
     #[inline(always)]
     fn mesh(&self, index: u32) -> &Indexed<TriangleSet, A> {
         &self.meshes[index as usize]

@@ -16,7 +16,8 @@ pub(super) fn generate(triangles: u32) -> MeshData {
         let (a, b) = (DVec3::new(axis.z, axis.x, axis.y), DVec3::new(axis.y, axis.z, axis.x));
         for (out, a, b) in [(axis, a, b), (-axis, b, a)] {
             split.extend(face.triangles(positions.len() as u32));
-            positions.extend(face.vertices(|u, v| out + (2.0 * u - 1.0) * a + (2.0 * v - 1.0) * b));
+            positions
+                .extend(face.vertices(&|u, v| out + (2.0 * u - 1.0) * a + (2.0 * v - 1.0) * b));
         }
     }
     MeshData::with_averaged_normals(positions, split)

@@ -46,15 +46,11 @@ impl CellGrid {
     }
 
     /// Its vertices, row by row: `surface` of the two parameters, each from 0 to 1.
-    pub(super) fn vertices<F>(&self, surface: F) -> Vec<Vec3>
-    where
-        F: Fn(f64, f64) -> DVec3 + Sync,
-    {
+    pub(super) fn vertices(&self, surface: &(dyn Fn(f64, f64) -> DVec3 + Sync)) -> Vec<Vec3> {
         let parameter = |i: u32, cells: u32| f64::from(i) / f64::from(cells);
         let lines = self.rows + u32::from(!self.closed_rows);
         let row = |j: u32| {
             let v = parameter(j, self.rows);
-            let surface = &surface;
             (0..self.stride()).map(move |i| surface(parameter(i, self.columns), v).as_vec3())
         };
         (0..lines).into_par_iter().flat_map_iter(row).collect()
@@ -97,7 +93,7 @@ mod tests {
             (CellGrid { columns: 4, rows: 3, closed_columns: true, closed_rows: false }, 16),
             (CellGrid { columns: 4, rows: 3, closed_columns: true, closed_rows: true }, 12),
         ] {
-            assert_eq!(grid.vertices(|u, v| DVec3::new(u, v, 0.0)).len(), vertices);
+            assert_eq!(grid.vertices(&|u, v| DVec3::new(u, v, 0.0)).len(), vertices);
             let triangles: Vec<_> = grid.triangles(0).collect();
             assert_eq!(triangles.len(), grid.triangle_count() as usize);
             let largest = triangles.iter().flatten().max().copied();

@@ -93,7 +93,7 @@ impl Parts {
     fn append(&mut self, grid: CellGrid, surface: impl Fn(f64, f64) -> DVec3 + Sync) {
         self.left = self.left.saturating_sub(grid.triangle_count());
         let first = self.positions.len() as u32;
-        self.positions.extend(grid.vertices(surface));
+        self.positions.extend(grid.vertices(&surface));
         self.triangles.extend(grid.triangles(first));
     }
 }

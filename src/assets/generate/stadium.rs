@@ -47,7 +47,7 @@ struct Mesh {
 impl Mesh {
     fn add(&mut self, grid: CellGrid, surface: impl Fn(f64, f64) -> DVec3 + Sync) {
         let first = self.positions.len() as u32;
-        self.positions.extend(grid.vertices(surface));
+        self.positions.extend(grid.vertices(&surface));
         self.triangles.extend(grid.triangles(first));
     }
 }

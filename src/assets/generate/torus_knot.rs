@@ -22,8 +22,8 @@ const SLENDERNESS: f64 = 12.9;
 pub(super) fn generate(triangles: u32) -> MeshData {
     let grid = CellGrid::torus(triangles, 1.0 / SLENDERNESS);
     let triangles: Vec<_> = grid.triangles(0).collect();
-    let normals: Vec<Vec3> = grid.vertices(|u, v| normal(u, &frame(v)));
-    let positions = grid.vertices(|u, v| {
+    let normals: Vec<Vec3> = grid.vertices(&|u, v| normal(u, &frame(v)));
+    let positions = grid.vertices(&|u, v| {
         let frame = frame(v);
         frame.point + TUBE * normal(u, &frame)
     });
