@@ -8,8 +8,8 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use crate::accel::{
-    Accel, AllHits, AnyHit, BuildConfig, BuildOptions, ClosestHit, Exhaustive, Filtered, Indexed,
-    Moved, PACK, Packs, Primitives, Quality, Query, Scratch, Update,
+    Accel, AllHits, Answers, AnyHit, BuildConfig, BuildOptions, ClosestHit, Exhaustive, Filtered,
+    Indexed, Moved, PACK, Packs, Primitives, Quality, Query, Scratch, Tracer, Update,
 };
 use crate::counters::{Counts, NoCounters};
 use crate::math::{Hit, Ray};
@@ -84,6 +84,60 @@ impl Triangles for OneByOne {
     }
 }
 
+/// A structure as the check makes it. What follows is compiled once for all structures, but for the makers' functions
+/// and what [`Asked`] asks.
+pub(super) struct Maker<'a> {
+    /// In which ways it can follow.
+    updates: &'static [Update],
+    one_by_one: bool,
+    make: Box<Make<'a>>,
+}
+
+/// Builds a structure in some quality for a mesh, or lets it follow to that.
+type Make<'a> = dyn Fn(&Mesh, Build) -> Box<dyn Asked + 'a> + Sync + 'a;
+
+/// How a structure is made: built, and perhaps moved.
+type Build = (Quality, Option<Update>);
+
+/// A structure over triangles, built with some options.
+pub(super) fn maker<'a, P: Triangles + 'a, A: Accel + 'a>(options: &'a BuildOptions) -> Maker<'a> {
+    let make = |mesh: &Mesh, (quality, update): Build| -> Box<dyn Asked + 'a> {
+        Box::new(match update {
+            Some(update) => followed_to::<P, A>(mesh, update, quality, options),
+            None => indexed::<P, A>(mesh, quality, options),
+        })
+    };
+    Maker { updates: A::UPDATES, one_by_one: P::ONE_BY_ONE, make: Box::new(make) }
+}
+
+/// What the check asks of a structure.
+pub(super) trait Asked: Tracer {
+    /// The first hit of a ray by itself, and whether there is any.
+    fn alone(&self, ray: &Ray) -> Answer;
+
+    /// All hits of some rays, which are not counted.
+    fn all(&self, rays: &[Ray], way: Way) -> Vec<Vec<Hit>>;
+
+    /// The first hit of those that are seen, and whether there is any.
+    fn seen(&self, rays: &[Ray], way: Way) -> Vec<Answer>;
+}
+
+impl<P: Primitives, A: Accel> Asked for Indexed<P, A> {
+    fn alone(&self, ray: &Ray) -> Answer {
+        Answer { hit: self.hit(ray), blocked: self.occluded(ray) }
+    }
+
+    fn all(&self, rays: &[Ray], way: Way) -> Vec<Vec<Hit>> {
+        answers_to(self, AllHits, rays, way)
+    }
+
+    fn seen(&self, rays: &[Ray], way: Way) -> Vec<Answer> {
+        let hits = answers_to(self, Filtered::new(ClosestHit, &is_seen), rays, way);
+        let blocked = answers_to(self, Filtered::new(AnyHit, &is_seen), rays, way);
+        answers_of(hits, blocked)
+    }
+}
+
 /// A mesh, scaled and moved.
 #[derive(Clone, Copy)]
 pub(super) struct Case<'a> {
@@ -99,12 +153,10 @@ pub(super) enum Fault {
     Panic(String),
 }
 
-/// How a structure was made: built, and perhaps moved.
-type Made = (Quality, Option<Update>);
-
 /// A check of one mesh, on its way.
-struct Check<'a> {
+struct Check<'a, 'm> {
     case: &'a Case<'a>,
+    maker: &'a Maker<'m>,
     moved: &'a Mesh,
     rays: MadeRays,
     /// How many rays have been compared.
@@ -114,9 +166,9 @@ struct Check<'a> {
 
 impl Case<'_> {
     /// Compares a structure with none, as long as `ended` is false; what was compared.
-    pub(super) fn check<P: Triangles, A: Accel>(
+    pub(super) fn check(
         &self,
-        options: &BuildOptions,
+        maker: &Maker<'_>,
         ended: &dyn Fn() -> bool,
     ) -> Result<Summary, Fault> {
         if ended() {
@@ -124,7 +176,7 @@ impl Case<'_> {
         }
         let moved = self.mesh.moved(self.scale, self.offset);
         let rays = MadeRays::of(&moved);
-        let mut check = Check { case: self, moved: &moved, rays, compared: 0, ended };
+        let mut check = Check { case: self, maker, moved: &moved, rays, compared: 0, ended };
         // The quality is what the tree looks like, and the scale how numbers round: not all of both.
         let qualities: &[Quality] = match self.scale {
             1.0 if moved.triangles.len() <= MANY => {
@@ -133,28 +185,24 @@ impl Case<'_> {
             _ => &[Quality::Medium],
         };
         let built = qualities.iter().map(|&quality| (quality, None));
-        let followed = A::UPDATES.iter().map(|&update| (Quality::Medium, Some(update)));
-        for made in built.chain(followed) {
+        let followed = maker.updates.iter().map(|&update| (Quality::Medium, Some(update)));
+        for build in built.chain(followed) {
             // After a panic nothing that it may have left half done is looked at.
-            let checked = catch_unwind(AssertUnwindSafe(|| check.of_made::<P, A>(made, options)));
+            let checked = catch_unwind(AssertUnwindSafe(|| check.of_build(build)));
             match checked {
                 Ok(Ok(true)) => {}
                 Ok(Ok(false)) => return Ok(check.summary(false)),
                 Ok(Err(difference)) => return Err(Fault::Difference(difference)),
                 Err(payload) => {
-                    let subject = self.subject::<P>(made);
+                    let Self { mesh, scale, offset } = *self;
+                    let (mesh, one_by_one) = (mesh.name, maker.one_by_one);
+                    let subject = Subject { mesh, scale, offset, made: build, one_by_one };
                     let message = message_of(&*payload);
-                    let words = format!("{subject}: {message}");
-                    return Err(Fault::Panic(words));
+                    return Err(Fault::Panic(format!("{subject}: {message}")));
                 }
             }
         }
         Ok(check.summary(true))
-    }
-
-    fn subject<P: Triangles>(&self, made: Made) -> Subject<'_> {
-        let Self { mesh, scale, offset } = *self;
-        Subject { mesh: mesh.name, scale, offset, made, one_by_one: P::ONE_BY_ONE }
     }
 }
 
@@ -164,20 +212,13 @@ fn message_of(payload: &(dyn Any + Send)) -> &str {
     text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("without a message")
 }
 
-impl Check<'_> {
+impl Check<'_, '_> {
     /// Compares a structure that is made in one way. Returns whether all was compared.
-    fn of_made<P: Triangles, A: Accel>(
-        &mut self,
-        made: Made,
-        options: &BuildOptions,
-    ) -> Result<bool, Box<FirstDifference>> {
+    fn of_build(&mut self, build: Build) -> Result<bool, Box<FirstDifference>> {
         if self.is_to_end() {
             return Ok(false);
         }
-        let own = match made {
-            (quality, Some(update)) => followed_to::<P, A>(self.moved, update, quality, options),
-            (quality, None) => indexed::<P, A>(self.moved, quality, options),
-        };
+        let own = (self.maker.make)(self.moved, build);
         let mut from = 0;
         while let Some(slice) = self.rays.slice_from(from) {
             // A slow structure is to end soon, so its rays are traced alone before they are in one call.
@@ -187,25 +228,21 @@ impl Check<'_> {
                         return Ok(false);
                     }
                     let MadeRays { rays, expected, .. } = &self.rays;
-                    let got = answers(&own, &rays[part.clone()], way);
+                    let got = answers(&*own, &rays[part.clone()], way);
                     if let Some((i, got)) = first_unlike(part, &got, expected) {
                         let asked = (Question::First, way, rays[i]);
-                        return Err(self.difference::<P>(made, asked, [expected[i], got]));
+                        return Err(self.difference(build, asked, [expected[i], got]));
                     }
                 }
             }
             self.compared = self.compared.max(slice.end);
             from = slice.end;
         }
-        self.ask_more(&own, made)
+        self.ask_more(&*own, build)
     }
 
     /// Compares all hits, and those that pass a filter, for some of the rays.
-    fn ask_more<P: Triangles, A: Accel>(
-        &mut self,
-        own: &Indexed<P, A>,
-        made: Made,
-    ) -> Result<bool, Box<FirstDifference>> {
+    fn ask_more(&mut self, own: &dyn Asked, build: Build) -> Result<bool, Box<FirstDifference>> {
         for start in [0, self.rays.aimed] {
             let part = start..start + ASKED_MORE;
             for way in [Way::Alone, Way::Slice] {
@@ -214,22 +251,19 @@ impl Check<'_> {
                 }
                 let all = self.rays.all_hits(part.clone());
                 let rays = &self.rays.rays[part.clone()];
-                let got = answers_to(own, AllHits, rays, way);
+                let got = own.all(rays, way);
                 let unlike = (0..rays.len()).find_map(|i| Some((i, other_hit(&all[i], &got[i])?)));
                 if let Some((i, answers)) = unlike {
                     let asked = (Question::All, way, rays[i]);
-                    return Err(self.difference::<P>(made, asked, answers));
+                    return Err(self.difference(build, asked, answers));
                 }
-                let hits = answers_to(own, Filtered::new(ClosestHit, &is_seen), rays, way);
-                let blocked = answers_to(own, Filtered::new(AnyHit, &is_seen), rays, way);
-                for (i, (hit, blocked)) in hits.into_iter().zip(blocked).enumerate() {
+                for (i, got) in own.seen(rays, way).into_iter().enumerate() {
                     let seen = all[i].iter().copied().find(|hit| is_seen(&rays[i], hit));
-                    let hit_expected = seen.unwrap_or(Hit::MISS);
-                    let expected = Answer { hit: hit_expected, blocked: seen.is_some() };
-                    let got = Answer { hit, blocked };
+                    let hit = seen.unwrap_or(Hit::MISS);
+                    let expected = Answer { hit, blocked: seen.is_some() };
                     if !got.same_bits(&expected) {
                         let asked = (Question::Filtered, way, rays[i]);
-                        return Err(self.difference::<P>(made, asked, [expected, got]));
+                        return Err(self.difference(build, asked, [expected, got]));
                     }
                 }
             }
@@ -246,14 +280,14 @@ impl Check<'_> {
         self.rays.summary(self.compared, whole)
     }
 
-    fn difference<P: Triangles>(
+    fn difference(
         &self,
-        made: Made,
+        (quality, update): Build,
         (question, way, ray): (Question, Way, Ray),
         [expected, got]: [Answer; 2],
     ) -> Box<FirstDifference> {
         let Case { mesh: &Mesh { name: mesh, .. }, scale, offset } = *self.case;
-        let ((quality, update), one_by_one) = (made, P::ONE_BY_ONE);
+        let one_by_one = self.maker.one_by_one;
         Box::new(FirstDifference {
             mesh,
             scale,
@@ -332,7 +366,7 @@ impl MadeRays {
             return all.clone();
         }
         let start = part.start;
-        let all: Arc<[_]> = answers_to(&self.none, AllHits, &self.rays[part], Way::Slice).into();
+        let all: Arc<[_]> = self.none.all(&self.rays[part], Way::Slice).into();
         self.all.push((start, all.clone()));
         all
     }
@@ -414,33 +448,37 @@ fn followed_to<P: Triangles, A: Accel>(
     own
 }
 
-pub(super) fn answers<P: Primitives, A: Accel>(
-    index: &Indexed<P, A>,
-    rays: &[Ray],
-    way: Way,
-) -> Vec<Answer> {
-    let hits = answers_to(index, ClosestHit, rays, way);
-    let blocked = answers_to(index, AnyHit, rays, way);
+/// The first hits of some rays, and whether there are any.
+pub(super) fn answers(index: &dyn Asked, rays: &[Ray], way: Way) -> Vec<Answer> {
+    if way == Way::Alone {
+        return rays.iter().map(|ray| index.alone(ray)).collect();
+    }
+    let mut hits: Vec<_> = rays.iter().map(|ray| ClosestHit.start(ray)).collect();
+    let mut blocked: Vec<_> = rays.iter().map(|ray| AnyHit.start(ray)).collect();
+    for answers in [Answers::ClosestHit(&mut hits), Answers::AnyHit(&mut blocked)] {
+        let mut counts = Counts::default();
+        let counts = (way == Way::Counted).then_some(&mut counts);
+        index.trace(rays, answers, &mut Scratch::default(), counts);
+    }
+    answers_of(hits, blocked)
+}
+
+fn answers_of(hits: Vec<Hit>, blocked: Vec<bool>) -> Vec<Answer> {
     hits.into_iter().zip(blocked).map(|(hit, blocked)| Answer { hit, blocked }).collect()
 }
 
+/// The answers to a query of rays by themselves, or of all in one call.
 fn answers_to<P: Primitives, A: Accel, Q: Query>(
     index: &Indexed<P, A>,
     query: Q,
     rays: &[Ray],
     way: Way,
 ) -> Vec<Q::Answer> {
-    let mut answers: Vec<_> = rays.iter().map(|ray| query.start(ray)).collect();
-    let mut scratch = Scratch::default();
-    match way {
-        Way::Alone => {
-            let alone = |ray| index.search_one(&query, ray, &mut NoCounters);
-            return rays.iter().map(alone).collect();
-        }
-        Way::Counted => {
-            index.search(&query, rays, &mut answers, &mut scratch, &mut Counts::default());
-        }
-        Way::Slice => index.search(&query, rays, &mut answers, &mut scratch, &mut NoCounters),
+    if way == Way::Alone {
+        let alone = |ray| index.search_one(&query, ray, &mut NoCounters);
+        return rays.iter().map(alone).collect();
     }
+    let mut answers: Vec<_> = rays.iter().map(|ray| query.start(ray)).collect();
+    index.search(&query, rays, &mut answers, &mut Scratch::default(), &mut NoCounters);
     answers
 }

@@ -30,7 +30,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use crate::accel::{Accel, BuildOptions};
 use crate::shapes::TriangleSet;
 
-use case::{Case, Fault, Triangles};
+use case::{Case, Fault, Maker, Triangles, maker};
 use limits::Shares;
 use one_by_one::OneByOne;
 
@@ -104,12 +104,13 @@ fn check_over<P: Triangles, A: Accel>(
     limits: &Limits<'_>,
 ) -> Result<Summary, FirstDifference> {
     let start = Instant::now();
-    check_by::<P, A>(options, limits, &|| start.elapsed())
+    check_by(&maker::<P, A>(options), limits, &|| start.elapsed())
 }
 
-/// [`check_over`], by a clock that shows how long it has gone on.
-fn check_by<P: Triangles, A: Accel>(
-    options: &BuildOptions,
+/// [`check_over`], of a structure as it is made, by a clock that shows how long the check has gone on. Compiled once
+/// for all structures, as is what it calls.
+fn check_by(
+    maker: &Maker<'_>,
     limits: &Limits<'_>,
     clock: &(dyn Fn() -> Duration + Sync),
 ) -> Result<Summary, FirstDifference> {
@@ -128,7 +129,7 @@ fn check_by<P: Triangles, A: Accel>(
     let mut left: Vec<(usize, Case<'_>)> = cases.clone();
     while !left.is_empty() {
         let (count, all) = (left.len(), cases.len());
-        let compared = match check_all::<P, A>(&left, options, limits, &shares, all) {
+        let compared = match check_all(&left, maker, limits, &shares, all) {
             Ok(compared) => compared,
             Err(Fault::Difference(difference)) => return Err(*difference),
             Err(Fault::Panic(message)) => panic!("{message}"),
@@ -148,9 +149,9 @@ fn check_by<P: Triangles, A: Accel>(
 }
 
 /// Checks some of all cases in parallel, each in its share of the time.
-fn check_all<P: Triangles, A: Accel>(
+fn check_all(
     cases: &[(usize, Case<'_>)],
-    options: &BuildOptions,
+    maker: &Maker<'_>,
     limits: &Limits<'_>,
     shares: &Shares<'_>,
     all: usize,
@@ -170,7 +171,7 @@ fn check_all<P: Triangles, A: Accel>(
                     || shares.is_over(end)
                     || (limits.cancelled)()
             };
-            let result = case.check::<P, A>(options, &ended);
+            let result = case.check(maker, &ended);
             if result.is_err() {
                 first_wrong.fetch_min(number, Ordering::Relaxed);
             }
@@ -472,7 +473,9 @@ mod tests {
         // no part of it.
         let clock = || Duration::from_millis(TRAVERSALS.load(Ordering::Relaxed) as u64);
         let limits = Limits { time: Some(Duration::from_secs(6)), ..Limits::NONE };
-        let summary = check_by::<TriangleSet, Slow>(&BuildOptions::NONE, &limits, &clock).unwrap();
+        let options = BuildOptions::NONE;
+        let slow = maker::<TriangleSet, Slow>(&options);
+        let summary = check_by(&slow, &limits, &clock).unwrap();
         assert!(clock() < Duration::from_secs(12), "{:?}", clock());
         assert!(!summary.is_whole() && summary.rays > 100 && summary.hits > 10, "{summary}");
         let text = summary.to_string();

@@ -33,11 +33,11 @@ impl Single {
         // Records a hit that counts. Returns whether what lies farther on the shape is of no interest.
         let mut offer = |(t, counts): (f32, u32), hit: Hit| {
             let hit = Hit { t, object: instance.object, ..hit };
-            let recorded = counts & 1 != 0 && query.accepts(&own, &hit);
+            let recorded = counts & 1 != 0 && (!Q::FILTERS || query.accepts(&own, &hit));
             if recorded {
                 query.record(answer, &hit);
             }
-            recorded && !matches!(Q::SEARCH, Search::All)
+            recorded && const { Q::KEEPS_ONE_HIT || matches!(Q::SEARCH, Search::First) }
         };
         for_shape!(self, shape => shape.offer_hits(&own, |hit| offer(placed(shape, hit.t, &reach), hit)));
     }
