@@ -241,10 +241,10 @@ impl Primitives for TriangleSet {
         let from = |slot: usize| order.get(slot).filter(|&&from| from != NONE);
         self.packs = pack(order.len(), |slot| {
             // Triangles come from all over the mesh: what is two packs ahead is on its way meanwhile.
-            if let Some(&ahead) = from(slot + 2 * PACK) {
-                if let Some(pack) = self.packs.get(ahead as usize / PACK) {
-                    prefetch(pack, Cache::First);
-                }
+            if let Some(&ahead) = from(slot + 2 * PACK)
+                && let Some(pack) = self.packs.get(ahead as usize / PACK)
+            {
+                prefetch(pack, Cache::First);
             }
             from(slot).map(|&from| {
                 assert!(
