@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Comman
     let result = interrupt.cancellable(|| compare::run(&plan, &arguments.structures(), &progress));
     drop(progress);
     let mut result = result.map_err(Failure::new)?;
-    let Some(folder) = folder_of_result(folder, &result.comparison, arguments.quiet)? else {
+    let Some(folder) = folder_of_result(folder, &result, arguments.quiet)? else {
         return Ok(interrupt.exit());
     };
     result.comparison.baseline =
@@ -86,19 +86,20 @@ pub(super) fn run(arguments: &CompareArguments, interrupt: &Interrupt) -> Comman
     Ok(if partial { interrupt.exit() } else { exit(fine, unrelated || warned.is_some()) })
 }
 
-/// The folder of a report. One that is there already is not replaced where a comparison was interrupted before a part of
-/// it was done: what was measured gets a new folder beside it, and `None` is returned if that is nothing.
+/// The folder of a report. One that is there already is not replaced where a comparison was interrupted before a part
+/// of it was done: what was measured gets a new folder beside it, and `None` is returned if that is nothing.
 fn folder_of_result(
     folder: ResultFolder,
-    comparison: &Comparison,
+    result: &ComparisonResult,
     quiet: bool,
 ) -> Result<Option<ResultFolder>, Failure> {
-    let run = &comparison.run;
+    let run = &result.comparison.run;
     if !run.partial || !run.done.is_empty() || !folder.has_report() {
         return Ok(Some(folder));
     }
     let older = folder.path().display();
-    if !has_measured(comparison) {
+    // A difference is told, though nothing was timed.
+    if result.holds() && !has_measured(&result.comparison) {
         print_error(format_args!(
             "interrupted before anything was measured: the report in `{older}` is the older one"
         ));

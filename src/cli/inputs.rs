@@ -1,5 +1,5 @@
-//! What a command reads, which its result must not replace: a typing error (`srt scene.sce scene.sce --format png`) must
-//! not destroy it.
+//! What a command reads, which its result must not replace: a typing error (`srt scene.sce scene.sce --format png`)
+//! must not destroy it.
 
 use std::fs::canonicalize;
 use std::path::Path;
