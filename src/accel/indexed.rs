@@ -60,28 +60,26 @@ impl<P: Primitives, A: Accel> Indexed<P, A> {
     /// before are no longer complete.
     #[must_use]
     pub fn build(mut source: impl IntoPrimitives<Primitives = P>, config: &BuildConfig) -> Self {
+        let start = Instant::now();
+        source.prepare();
+        // The checks are no part of what a build costs.
         let check = Instant::now();
         assert_sound_boxes(&source);
         let mut check_time = check.elapsed();
-        let start = Instant::now();
-        source.prepare();
         let mut stages = BuildStages::default();
         let grain = <P::Packs as Packs>::GRAIN;
         let built = A::build(&source, &mut Build { config, grain, stages: &mut stages });
         if stages.iter().next().is_none() {
-            stages.add("structure", start.elapsed());
+            stages.add("structure", start.elapsed() - check_time);
         }
-        let mut order_check = Duration::ZERO;
         if let Some(order) = &built.order {
-            // The check is no part of what a build costs.
             let check = Instant::now();
             order.assert_whole(source.count(), grain);
-            order_check = check.elapsed();
+            check_time += check.elapsed();
         }
-        check_time += order_check;
         let order = built.order.as_ref().map(Order::slots);
         let primitives = stages.time("primitives", || source.into_primitives(order));
-        let build_time = start.elapsed() - order_check;
+        let build_time = start.elapsed() - check_time;
         let config = config.clone();
         Self { primitives, accel: built.accel, build_time, check_time, stages, config }
     }

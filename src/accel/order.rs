@@ -33,7 +33,9 @@ pub(crate) fn in_32_bits(number: usize) -> u32 {
     match u32::try_from(number) {
         Ok(number) => number,
         Err(_) => {
-            panic!("the structure would need {number} slots, and has numbers for {NONE} only")
+            panic!(
+                "the structure would need {number} slots or nodes, and has numbers for {NONE} only"
+            )
         }
     }
 }

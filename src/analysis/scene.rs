@@ -48,7 +48,7 @@ pub struct StructureFigures {
     /// or if another structure of the scene traced a class that this one did not.
     pub mean_ray_ns: Option<f64>,
     /// From how many of these rays on it is faster than the base, all on one thread, builds included; absent if one of
-    /// these times has too few rounds for an interval.
+    /// these times has no interval.
     pub break_even: Option<BreakEven>,
     /// Whether it is dominated by no other structure: by none whose build or mean ray is faster, and the other of both
     /// not slower, as far as intervals tell them apart.

@@ -189,7 +189,8 @@ pub(crate) struct BuildArguments {
 #[derive(Debug, Args)]
 #[command(
     after_help = "Exit codes: 0 all scenes are valid, 1 a scene is invalid, 2 a file cannot be read.\n\n\
-    Of a scene that moves, all frames from its first key to its last are looked at, up to 5000.\n\n\
+    Of a scene that moves, frames from its first key to its last are looked at: all, or some that are evenly\n\
+    spread where there are more than 5000 or the scene is large.\n\n\
     Example:\n  srt check scenes/*.sce"
 )]
 pub(crate) struct CheckArguments {

@@ -72,7 +72,8 @@ fn explained(structures: &Structures, typed: &[OsString], error: clap::Error) ->
     root.build();
     // The subcommand that the word is behind; all are before it.
     let is_help = typed.first().is_some_and(|first| first == "help");
-    let names = typed.iter().skip(usize::from(is_help)).take_while(|own| *own != word.as_str());
+    let end = typed.iter().rposition(|own| *own == word.as_str()).unwrap_or(typed.len());
+    let names = typed[..end].iter().skip(usize::from(is_help));
     let within = names.fold(&root, |within, name| within.find_subcommand(name).unwrap_or(within));
     if !is_help && within.get_name() == root.get_name() {
         return root.clone().error(

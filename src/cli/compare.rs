@@ -232,6 +232,7 @@ fn default_name(scenes: &[PathBuf]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::record::{ClassRecord, RayClass, SceneRecord, StructureRecord};
 
     #[test]
     fn wrong_results_weigh_more_than_an_unrelated_baseline() {
@@ -268,5 +269,49 @@ mod tests {
         assert!(folder(&["a/hall-x.sce"]).ends_with("-hall-x"));
         assert!(folder(&["generate:hall:20k:1"]).ends_with("-hall-20k-1"));
         assert!(folder(&["hall-x.sce", "b.sce", "c.sce"]).ends_with("-hall-x-and-2-more"));
+    }
+
+    /// A comparison that was interrupted in its first scene, with or without rays that were timed.
+    fn interrupted(timed: bool) -> ComparisonResult {
+        let class = ClassRecord {
+            class: RayClass::View,
+            rays: 1,
+            sample: None,
+            counted_rays: 1,
+            hits: 0,
+            boxes: None,
+            primitives: None,
+            rounds: Vec::new(),
+            passes: Vec::new(),
+        };
+        let classes = if timed { vec![class] } else { Vec::new() };
+        let row = StructureRecord { classes, ..StructureRecord::default() };
+        let scene = SceneRecord { structures: vec![row], ..SceneRecord::default() };
+        let run = crate::record::Run { partial: true, ..Default::default() };
+        let mut comparison = Comparison::new(run, "none");
+        comparison.scenes.push(scene);
+        ComparisonResult { comparison, pictures: Vec::new() }
+    }
+
+    #[test]
+    fn an_older_report_is_replaced_by_parts_that_are_done() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
+        let prepared = || ResultFolder::prepare(&out).unwrap();
+        let name = |result: &ComparisonResult| {
+            let folder = folder_of_result(prepared(), result, true).unwrap()?;
+            Some(folder.path().file_name()?.to_string_lossy().into_owned())
+        };
+        assert_eq!(name(&interrupted(false)).as_deref(), Some("out"), "there is none to replace");
+        std::fs::write(out.join("report.json"), "an older report").unwrap();
+        assert_eq!(name(&interrupted(false)), None);
+        assert_eq!(name(&interrupted(true)).as_deref(), Some("out-partial"));
+        assert_eq!(name(&interrupted(true)).as_deref(), Some("out-partial-2"));
+        let mut done = interrupted(true);
+        done.comparison.run.done.push("a scene".to_owned());
+        assert_eq!(name(&done).as_deref(), Some("out"));
+        let mut whole = interrupted(true);
+        whole.comparison.run.partial = false;
+        assert_eq!(name(&whole).as_deref(), Some("out"));
     }
 }

@@ -73,8 +73,7 @@ impl RenderOptions {
         }
         if typed.noise.is_some() && work.view != View::Color {
             return Err(Failure::new(format_args!(
-                "--noise is for the light of a picture, and --view {} shows what one ray through each pixel hits, \
-                 which has no noise: leave --noise out",
+                "--noise is for the light of a picture, and --view {} has none: leave --noise out",
                 work.view.name(),
             )));
         }

@@ -2,17 +2,14 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use crate::conformance::message_of;
+
 /// Runs a part of a structure's work; a panic becomes its message.
 ///
 /// All callers drop what the work was changing, so half-changed state is never used.
 pub(crate) fn catch_panic<T>(work: impl FnOnce() -> T) -> Result<T, String> {
-    catch_unwind(AssertUnwindSafe(work)).map_err(|payload| {
-        let text = payload
-            .downcast_ref::<String>()
-            .map(String::as_str)
-            .or_else(|| payload.downcast_ref::<&str>().copied());
-        format!("it panicked: {}", text.unwrap_or("without a message"))
-    })
+    catch_unwind(AssertUnwindSafe(work))
+        .map_err(|payload| format!("it panicked: {}", message_of(&*payload)))
 }
 
 #[cfg(test)]

@@ -7,9 +7,7 @@ use rayon::ThreadPoolBuildError;
 use thiserror::Error;
 
 use crate::image_io::Picture;
-use crate::record::{
-    Comparison, Conformance, Options, Proof, Run, SceneRecord, Status, StructureRecord,
-};
+use crate::record::{Comparison, Conformance, Options, Proof, Run, SceneRecord, StructureRecord};
 use crate::scene::{Scene, Structure};
 
 use super::budget::Budget;
@@ -53,7 +51,7 @@ impl ComparisonResult {
 /// rays.
 fn failed(scene: &SceneRecord, row: &StructureRecord) -> bool {
     let traced = scene.proof.as_ref().and_then(|proof| proof.peer(&row.name));
-    matches!(row.status, Status::Failed { .. }) && (!row.peer || traced.is_some())
+    row.has_failed() && (!row.peer || traced.is_some())
 }
 
 /// Why a plan cannot be begun.

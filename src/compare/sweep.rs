@@ -155,7 +155,7 @@ fn note(record: &mut Sweep, candidate: &Candidate<'_>, size: u64) -> bool {
         }
         Status::Stopped => "the comparison was stopped".to_owned(),
     };
-    let failed = matches!(candidate.record.status, Status::Failed { .. }) && !candidate.is_peer();
+    let failed = candidate.record.has_failed() && !candidate.is_peer();
     record.dropped.push(Dropped { structure: name.to_owned(), triangles: size, reason, failed });
     false
 }

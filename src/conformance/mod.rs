@@ -34,6 +34,8 @@ use case::{Case, Fault, Maker, Triangles, maker};
 use limits::Shares;
 use one_by_one::OneByOne;
 
+#[cfg(feature = "program")]
+pub(crate) use case::message_of;
 pub use difference::{Answer, FirstDifference, Question, Way};
 pub use limits::{Limits, Progress};
 pub use summary::Summary;

@@ -14,10 +14,11 @@ pub struct Interval {
 /// A value and its interval.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
-    /// The median of the rounds where each measured all of a thing, their mean where each measured a random sample.
+    /// Where each round measured all of a thing, the geometric mean of the passes' medians, or the median of the rounds
+    /// where there are no passes. Where each measured a random sample, their mean.
     #[serde(alias = "median")]
     pub value: f64,
-    /// The 95 % interval of the value; absent where there were too few rounds for one.
+    /// The 95 % interval of the value; absent where there were too few rounds or passes for one.
     pub interval: Option<Interval>,
     /// How many rounds there were.
     pub rounds: usize,

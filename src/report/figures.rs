@@ -71,7 +71,7 @@ pub(super) fn builds_by_scene(looks: &Looks, report: &Report<'_>) -> Option<Plot
     };
     LanePlot {
         title: "All scenes: builds".to_owned(),
-        label: "build, one thread (logarithmic)".to_owned(),
+        label: "build, all threads (logarithmic)".to_owned(),
         units: TIME,
         ..lanes(looks, report, value)?
     }
@@ -244,7 +244,7 @@ pub(super) fn break_even(looks: &Looks, scene: &SceneFigures) -> Option<Plot> {
                   marks where a structure and the base have taken the same time."
             .to_owned(),
         x: Ends::logarithmic("rays (logarithmic)", COUNT),
-        y: Ends::logarithmic("build and rays together (logarithmic)", TIME),
+        y: Ends::logarithmic("build and rays, one thread (logarithmic)", TIME),
         series: series.collect(),
         path: Vec::new(),
         rings: meetings.iter().map(|&n| (n, total(base, n))).collect(),

@@ -1,7 +1,7 @@
 //! The limits of a report: sentences on what it does not show and on what is doubtful, for every form.
 
 use super::Report;
-use crate::analysis::statistics::NORMAL;
+use crate::analysis::statistics::Risk;
 use crate::analysis::{Analysis, ClassFigures, SceneFigures};
 use crate::record::Comparison;
 
@@ -30,7 +30,8 @@ const ALWAYS: [&str; 9] = [
      included. Times of builds and pictures are wall times.",
     "srt's own structures give equal hits bit for bit, by one formula and one rule for ties. That \
      costs each of them some speed, and some more than others. Peers have formulas of their own.",
-    "Break-even points are those of one thread: builds on one thread against rays on one thread. They hold for rays like the picture's mean ray. Other views and lights have other \
+    "Break-even points are those of one thread: builds on one thread against rays on one thread. \
+     They hold for rays like the picture's mean ray. Other views and lights have other \
      break-even points.",
     "The structures were written or adapted by the authors of this program, who may know some of \
      them better than others.",
@@ -110,7 +111,11 @@ fn round_limits(comparison: &Comparison, analysis: &Analysis) -> Vec<String> {
 
 /// The half width that rounds aim at, with what differs between runs, which no round makes less.
 fn target(comparison: &Comparison) -> f64 {
-    comparison.run.rounds.relative_interval.hypot(NORMAL * comparison.run.between_runs)
+    comparison
+        .run
+        .rounds
+        .relative_interval
+        .hypot(Risk::USUAL.normal() * comparison.run.between_runs)
 }
 
 /// The scenes whose intervals do not include the place in memory.

@@ -108,14 +108,17 @@ fn found(finding: &Finding) -> String {
     let class = class.name();
     let rays = format!("{} rays", numbers::count(*rays));
     let spread = match ratio.interval {
-        // Rounding must not take away what the sentence says.
+        // What the sentence says shall not be rounded away; four decimals do that seldom.
         Some(own) if own.low > 1.0 && numbers::figures(own.low) == numbers::figures(1.0) => {
-            format!("{:.4}–{:.4}", own.low, own.high)
+            Some(format!("{:.4}–{:.4}", own.low, own.high))
         }
-        _ => numbers::spread(*ratio).unwrap_or_default(),
+        _ => numbers::spread(*ratio),
     };
-    let value = numbers::value(*ratio);
-    let times = format!("{value}\u{a0}× (95\u{a0}%\u{a0}{spread})");
+    let spread = spread.map_or_else(
+        || "too few rounds for an interval".to_owned(),
+        |spread| format!("95\u{a0}%\u{a0}{spread}"),
+    );
+    let times = format!("{}\u{a0}× ({spread})", numbers::value(*ratio));
     if finding.is_certain() {
         format!("{faster} traces {class} rays {times} as fast as {slower}, {place}, by {rays}")
     } else {

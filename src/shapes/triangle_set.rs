@@ -10,7 +10,7 @@ use glam::{DVec3, Vec3, Vec3A, Vec4};
 use rayon::prelude::*;
 
 use crate::accel::{
-    Bounded, IntoPrimitives as _, PACK, PackHits, Packs, Primitives, Query, Search,
+    Bounded, IntoPrimitives as _, PACK, PackHits, Packs, Primitives, Query, Search, in_32_bits,
 };
 use crate::counters::Counters;
 use crate::math::slab::not_before;
@@ -231,7 +231,7 @@ impl Primitives for TriangleSet {
     }
 
     fn slots(&self) -> u32 {
-        (self.packs.len() * PACK) as u32
+        in_32_bits(self.packs.len() * PACK)
     }
 
     /// # Panics

@@ -292,6 +292,7 @@ fn a_slip_in_the_name_of_a_subcommand_is_found() {
         (&["help", "comprae"][..], &["no subcommand `comprae`", "did you mean `compare`?"][..]),
         (&["help", "rays", "exprot"], &["no subcommand `exprot`", "did you mean `export`?"]),
         (&["rays", "exprot"], &["no subcommand `exprot`", "did you mean `export`?"]),
+        (&["rays", "rays"], &["no subcommand `rays`"]),
         (&["help", "xyzzy"], &["no subcommand `xyzzy`"]),
         (&["a.sce", "b.png", "compare"], &["unexpected argument `compare`"]),
         (&["a.sce", "b.png", "foo"], &["unexpected argument `foo`: a rendering takes a scene"]),

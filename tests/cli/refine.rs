@@ -237,7 +237,7 @@ fn bad_options_of_refining_are_refused() {
     refused(&with(&["--progressive", "--view", "heatmap"]), &["cannot be refined in passes"]);
     refused(&with(&["--noise", "0.1", "--view", "heatmap"]), &["cannot be refined in passes"]);
     for view in ["normal", "depth", "object", "primitive", "cells"] {
-        let parts = [&*format!("--view {view} shows what one ray"), "leave --noise out"];
+        let parts = [&*format!("--view {view} has none"), "leave --noise out"];
         refused(&with(&["--aa", "4", "--noise", "0.1", "--view", view]), &parts);
     }
 }

@@ -65,6 +65,20 @@ fn the_verdict_of_few_rounds_claims_no_interval() {
     assert!(text.ends_with("; no results were compared."), "{text}");
 }
 
+/// Rounds of older records are no passes: eight of them have an interval of their median, but none that holds for all
+/// comparisons from which the verdict was chosen.
+#[test]
+fn a_verdict_that_few_rounds_support_says_so() {
+    let mut comparison = sample::full();
+    comparison.scenes.truncate(1);
+    for class in comparison.scenes[0].structures.iter_mut().flat_map(|own| &mut own.classes) {
+        class.passes.clear();
+        class.rounds.truncate(6);
+    }
+    let text = Report::new(&comparison).verdict();
+    assert!(text.contains("× (too few rounds for an interval)"), "{text}");
+}
+
 #[test]
 fn the_verdict_names_what_failed_first() {
     let mut comparison = sample::full();

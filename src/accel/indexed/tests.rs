@@ -150,3 +150,59 @@ fn an_order_from_a_refit_names_slots_that_there_are() {
 fn slots_that_have_moved_are_some() {
     follow::<Bvh>(Update::Refit, &[1, 5000]);
 }
+
+/// [`Boxes`] in another structure's order, with a slot that is empty until the ranks are closed.
+struct Spaced(Boxes);
+
+impl Bounded for Spaced {
+    fn count(&self) -> u32 {
+        self.0.count()
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.0.bounds(index)
+    }
+
+    fn mean_point(&self) -> Vec3A {
+        Vec3A::ZERO
+    }
+}
+
+impl Primitives for Spaced {
+    type Packs = NoPacks;
+
+    fn packs(&self) -> &NoPacks {
+        &NoPacks
+    }
+
+    fn padding(&self) -> Padding {
+        self.0.padding()
+    }
+
+    fn close_ranks(&mut self) {
+        self.0.0.retain(|bounds| !bounds.is_empty());
+    }
+
+    fn reorder(&mut self, order: &[u32]) {
+        self.0.reorder(order);
+    }
+
+    fn test<Q: Query, C: Counters>(
+        &self,
+        _: &Q,
+        _: Range<u32>,
+        _: &Ray,
+        _: &BoxRay,
+        _: &mut Q::Answer,
+        _: &mut C,
+    ) {
+    }
+}
+
+#[test]
+fn ranks_are_closed_before_boxes_are_looked_at() {
+    let mut boxes = Boxes::in_a_row(20);
+    boxes.0.insert(0, Aabb::EMPTY);
+    let index: Indexed<_, Bvh> = Indexed::build(Spaced(boxes), &BuildConfig::default());
+    assert_eq!(index.primitives().count(), 20);
+}

@@ -182,7 +182,7 @@ impl KdTree {
 
 impl Node {
     fn leaf(list: &Range<u32>) -> Self {
-        assert!(list.len() < MOST_NODES, "a leaf of a kd-tree refers to less than 2³⁰ primitives");
+        assert!(list.len() < MOST_NODES, "a leaf of a kd-tree refers to fewer than 2³⁰ primitives");
         Self { plane: f32::from_bits(list.start), word: (list.end - list.start) << 2 | LEAF }
     }
 

@@ -62,7 +62,8 @@ impl Paths {
         slots: &[u32],
         leader: &dyn Leader<N>,
     ) -> Vec<usize> {
-        // Behind the last leaf, slots are empty.
+        // Empty slots: those behind the last leaf are not noted, and those between leaves stand for the first place,
+        // which is then looked at for nothing.
         let leaf_of = |&slot: &u32| self.leaves.get(slot as usize).copied();
         let mut leaves: Vec<u32> = slots.iter().filter_map(leaf_of).collect();
         leaves.sort_unstable();

@@ -80,9 +80,6 @@ pub trait PortablePrimitives: Primitives + Sized {
     /// The name by which bytes are known to hold these primitives; at most 255 bytes.
     const NAME: &'static str;
 
-    /// How many slots there are, the empty ones included.
-    fn slot_count(&self) -> u32;
-
     /// The id of the primitive in a slot; [`NONE`] if it is empty.
     fn id(&self, slot: u32) -> u32;
 
@@ -114,8 +111,7 @@ impl<P: PortablePrimitives, A: Portable> Indexed<P, A> {
         out.name(A::NAME)?;
         out.name(P::NAME)?;
         let primitives = self.primitives();
-        let order: Vec<u32> =
-            (0..primitives.slot_count()).map(|slot| primitives.id(slot)).collect();
+        let order: Vec<u32> = (0..primitives.slots()).map(|slot| primitives.id(slot)).collect();
         out.u32(primitives.count())?;
         primitives.write(&slots_of(&order, primitives.count()), out)?;
         self.write_structure(&order, out)?;

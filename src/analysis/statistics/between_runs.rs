@@ -9,9 +9,6 @@
 use super::risk::Risk;
 use crate::record::{Estimate, Interval};
 
-/// Half the width of a normal distribution's 95 % interval, in standard deviations.
-pub const NORMAL: f64 = 1.959_963_984_540_054;
-
 /// The relative standard deviation of a time, or of a ratio of times, between runs of the same program on the same
 /// machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +46,9 @@ impl BetweenRuns {
 mod tests {
     use super::*;
     use crate::math::Random;
+
+    /// Half the width of a normal distribution's 95 % interval, in standard deviations.
+    const NORMAL: f64 = 1.959_963_984_540_054;
 
     fn estimate(low: f64, value: f64, high: f64) -> Estimate {
         Estimate { value, interval: Some(Interval { low, high }), rounds: 9 }

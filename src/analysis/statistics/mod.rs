@@ -12,7 +12,7 @@ mod replicates;
 mod risk;
 mod tradeoff;
 
-pub use between_runs::{BetweenRuns, NORMAL};
+pub use between_runs::BetweenRuns;
 pub use estimate::{INTERVAL_ROUNDS, RESAMPLES, estimate, median};
 pub use growth::{PowerLaw, log_log_fit};
 pub use interpolate::log_log_interpolate;

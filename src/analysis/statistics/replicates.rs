@@ -33,7 +33,7 @@ const LEAST_REPLICATES: usize = 4;
 /// What of the rounds is the estimate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Center {
-    /// The median: each round measured everything.
+    /// The median, of each pass where there are passes: each round measured everything.
     Median,
     /// The mean: each round measured a random sample of its own.
     Mean,

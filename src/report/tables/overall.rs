@@ -2,7 +2,7 @@
 
 use super::{Cell, Table, agreement, compared_without_difference, structure_name};
 use crate::analysis::OverallFigures;
-use crate::record::{Comparison, RayClass, SceneRecord, Status};
+use crate::record::{Comparison, RayClass, SceneRecord, StructureRecord};
 use crate::report::{Report, numbers};
 
 /// Geometric means over the scenes, a row for each structure; without rows for a single scene.
@@ -67,8 +67,7 @@ pub(in crate::report) fn proof_matrix(comparison: &Comparison) -> Table {
 }
 
 fn proved(scene: &SceneRecord, name: &str) -> Cell {
-    let failed =
-        scene.structure(name).is_some_and(|row| matches!(row.status, Status::Failed { .. }));
+    let failed = scene.structure(name).is_some_and(StructureRecord::has_failed);
     if let Some(peer) = scene.proof.as_ref().and_then(|proof| proof.peer(name)).filter(|_| !failed)
     {
         return Cell::text(agreement(peer));

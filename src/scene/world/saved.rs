@@ -9,7 +9,7 @@ use glam::Vec3A;
 
 use crate::accel::{
     Accel, Bounded as _, BuildStages, Decoder, Encoder, Indexed, IntoPrimitives as _, LoadError,
-    Portable, PortablePrimitives as _,
+    Portable, PortablePrimitives as _, Primitives as _,
 };
 use crate::assets::MeshData;
 use crate::scene::{ObjectList, ReadError, Scene};
@@ -24,7 +24,7 @@ impl<O: Portable, T: Portable> World<O, T> {
         out.u32(self.meshes.len() as u32)?;
         for mesh in &self.meshes {
             let triangles = mesh.primitives();
-            let slots = 0..triangles.slot_count();
+            let slots = 0..triangles.slots();
             let order: Vec<u32> = slots.map(|slot| triangles.id(slot)).collect();
             out.u32(triangles.count())?;
             out.vec3(triangles.mean_point().into())?;

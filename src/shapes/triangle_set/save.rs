@@ -5,7 +5,7 @@ use std::io;
 use glam::{Vec3, Vec3A};
 use rayon::prelude::*;
 
-use crate::accel::{Decoder, Encoder, LoadError, PACK, PortablePrimitives, in_32_bits};
+use crate::accel::{Decoder, Encoder, LoadError, PortablePrimitives};
 use crate::math::Padding;
 use crate::shapes::Triangle;
 
@@ -14,10 +14,6 @@ use super::pack::pack;
 
 impl PortablePrimitives for TriangleSet {
     const NAME: &'static str = "triangles";
-
-    fn slot_count(&self) -> u32 {
-        in_32_bits(self.packs.len() * PACK)
-    }
 
     fn id(&self, slot: u32) -> u32 {
         self.slot(slot).1
