@@ -108,13 +108,16 @@ impl<R: Copy + Default> Memory<R> {
         let (of_packets, _) = answers.as_chunks_mut::<N>();
         // One for all packets: it is 3.6 kB, too much to clear or to copy for each.
         let mut lanes = Packet::vacant();
+        let mut was_split = false;
         for (number, (rays, answers)) in packets.iter().zip(of_packets).enumerate() {
             let first = (number * N) as u32;
             let numbered = (first, rays);
-            if let Some(ahead) = packets.get(number + PACKETS_AHEAD) {
+            // The rays of a wave are asked for as it comes to them.
+            if !was_split && let Some(ahead) = packets.get(number + PACKETS_AHEAD) {
                 prefetch(ahead, Cache::Second);
             }
-            if in_several_octants(rays)
+            was_split = in_several_octants(rays, was_split);
+            if was_split
                 || packet::search::<S, L, P, Q, C, false, N>(
                     task, numbered, &mut lanes, answers, packet, diverged, counters,
                 ) == Outcome::Incoherent
@@ -128,13 +131,16 @@ impl<R: Copy + Default> Memory<R> {
     }
 }
 
-/// Whether directions of some of the rays differ in a sign. Such rays make no packet, and a few of them tell most.
+/// Whether directions of some of the rays differ in a sign. Such rays make no packet, and a few of them tell most. More
+/// of them are asked `closely`, which costs coherent rays time, and spares others a packet that is in vain.
 #[inline(always)]
-fn in_several_octants<const N: usize>(rays: &[Ray; N]) -> bool {
-    let [a, b, c, d] = [&rays[0], &rays[N / 3], &rays[2 * N / 3], &rays[N - 1]];
-    let signs = |ray: &Ray, axis: usize| ray.dir[axis].to_bits() ^ a.dir[axis].to_bits();
-    let differ = |ray: &Ray| signs(ray, 0) | signs(ray, 1) | signs(ray, 2);
-    (differ(b) | differ(c) | differ(d)) >> 31 != 0
+fn in_several_octants<const N: usize>(rays: &[Ray; N], closely: bool) -> bool {
+    let signs = |ray: usize, axis: usize| {
+        rays[ray * (N - 1) / 6].dir[axis].to_bits() ^ rays[0].dir[axis].to_bits()
+    };
+    let differ = |ray: usize| signs(ray, 0) | signs(ray, 1) | signs(ray, 2);
+    let by_few = (differ(2) | differ(4) | differ(6)) >> 31 != 0;
+    by_few || closely && (differ(1) | differ(3) | differ(5)) >> 31 != 0
 }
 
 /// The search for rays that do not make packets: compiled by itself, because constants of packets' lanes
@@ -155,5 +161,30 @@ impl<P: Primitives, Q: Query, C: Counters> Kernel for Waves<'_, P, Q, C> {
     fn run<S: Simd>(self) {
         let Self { task, rays, waiting, answers, wave, counters } = self;
         wave::search::<S, P, Q, C>(task, rays, waiting, answers, wave, counters);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::*;
+
+    #[test]
+    fn rays_are_of_several_octants_if_a_few_of_them_are_or_a_few_more_asked_closely() {
+        let ahead = [Ray::new(Vec3::ZERO, Vec3::ONE); 32];
+        assert!(!in_several_octants(&ahead, true));
+        let (mut by_few, mut by_more) = (0, 0);
+        for (turned, axis) in (0..32).flat_map(|turned| (0..3).map(move |axis| (turned, axis))) {
+            let mut rays = ahead;
+            rays[turned].dir[axis] = -1.0;
+            let (few, more) = (in_several_octants(&rays, false), in_several_octants(&rays, true));
+            assert!(more || !few);
+            by_few += usize::from(few);
+            by_more += usize::from(more);
+        }
+        assert_eq!((by_few, by_more), (3 * 4, 3 * 7));
+        let smaller = [Ray::new(Vec3::ZERO, Vec3::NEG_ONE); 16];
+        assert!(!in_several_octants(&smaller, true));
     }
 }
