@@ -17,11 +17,15 @@ const size = (bytes) => {
   const step = Math.min(Math.floor(Math.log10(Math.max(bytes, 1)) / 3), units.length - 1);
   return `${(bytes / 1000 ** step).toFixed(step > 0 ? 1 : 0)} ${units[step]}`;
 };
-const progress = (lane) => {
-  if (lane.complete) return `finished in ${time(lane.seconds)}`;
+const samples = (lane) => {
+  if (lane.complete) return lane.all_samples === 1 ? '1' : `all ${lane.all_samples}`;
   if (lane.samples === 0) return 'a first look';
   const digits = [1, 10].filter((end) => lane.samples < end).length;
-  return `${lane.samples.toFixed(digits)} of ${lane.all_samples} samples a pixel`;
+  return `${lane.samples.toFixed(digits)} of ${lane.all_samples}`;
+};
+const progress = (lane) => {
+  if (lane.complete) return `finished in ${time(lane.seconds)}`;
+  return lane.samples === 0 ? samples(lane) : `${samples(lane)} samples a pixel`;
 };
 
 /** Shows all of an update but its pictures. */
