@@ -18,6 +18,8 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {
     const LANES: u32;
     /// As bits, lane 0 the lowest.
     fn bits(self) -> u32;
+    /// The mask of these bits; those above the last lane are of no meaning.
+    fn of_bits(bits: u32) -> Self;
 }
 
 /// Floats that are computed with together.
@@ -48,8 +50,14 @@ pub trait Lanes:
     fn le(self, other: Self) -> Self::Mask;
     /// Where `self < other`; false where either is NaN.
     fn lt(self, other: Self) -> Self::Mask;
-    /// `self` where the bits have a one, `other` elsewhere.
-    fn select(self, mask: u32, other: Self) -> Self;
+    /// `self` where the mask holds, `other` elsewhere.
+    fn select_where(self, mask: Self::Mask, other: Self) -> Self;
+    /// `self` where the bits have a one, `other` elsewhere. Where a comparison has just made the mask,
+    /// [`select_where`](Self::select_where) spares the way through bits.
+    #[inline(always)]
+    fn select(self, bits: u32, other: Self) -> Self {
+        self.select_where(Self::Mask::of_bits(bits), other)
+    }
 
     /// Whether the processor has too few registers for a formula with several rows of several registers each.
     const FEW_REGISTERS: bool = false;
@@ -79,6 +87,10 @@ impl Mask for bool {
     #[inline(always)]
     fn bits(self) -> u32 {
         u32::from(self)
+    }
+    #[inline(always)]
+    fn of_bits(bits: u32) -> Self {
+        bits & 1 != 0
     }
 }
 
@@ -118,8 +130,8 @@ impl Lanes for f32 {
         self < other
     }
     #[inline(always)]
-    fn select(self, mask: u32, other: Self) -> Self {
-        if mask & 1 != 0 { self } else { other }
+    fn select_where(self, mask: bool, other: Self) -> Self {
+        if mask { self } else { other }
     }
 }
 
@@ -132,6 +144,10 @@ macro_rules! vector {
             #[inline(always)]
             fn bits(self) -> u32 {
                 self.bitmask()
+            }
+            #[inline(always)]
+            fn of_bits(bits: u32) -> Self {
+                $mask::new($(bits >> $lane & 1 != 0),*)
             }
         }
 
@@ -176,8 +192,8 @@ macro_rules! vector {
                 self.cmplt(other)
             }
             #[inline(always)]
-            fn select(self, mask: u32, other: Self) -> Self {
-                $vector::select($mask::new($(mask >> $lane & 1 != 0),*), self, other)
+            fn select_where(self, mask: $mask, other: Self) -> Self {
+                $vector::select(mask, self, other)
             }
         }
     };

@@ -3,7 +3,7 @@
 //! Equal hits rest on these few lines: whoever tests a box, for one ray, for several rays or for
 //! several boxes, calls them. Each rounds monotonically in the plane's coordinate.
 
-use super::{Aabb, Lanes, Mask as _};
+use super::{Aabb, Lanes};
 
 /// How much wider than exact arithmetic the boxes of a set of primitives are tested.
 ///
@@ -87,5 +87,5 @@ pub fn meets<L: Lanes>([begin, leave]: [L; 2], [t_min, end]: [L; 2]) -> L::Mask 
 #[inline(always)]
 #[must_use]
 pub fn not_before<L: Lanes>(t: L, begin: L) -> L {
-    t.select(begin.le(t).bits(), begin + L::splat(0.0))
+    t.select_where(begin.le(t), begin + L::splat(0.0))
 }

@@ -159,8 +159,8 @@ impl SingleShape for Ball {
 /// Two parameters, the smaller one first.
 #[inline(always)]
 pub(super) fn in_order<S: Simd>((t0, t1): (S::F16, S::F16)) -> (S::F16, S::F16) {
-    let ordered = t0.le(t1).bits();
-    (t0.select(ordered, t1), t1.select(ordered, t0))
+    let ordered = t0.le(t1);
+    (t0.select_where(ordered, t1), t1.select_where(ordered, t0))
 }
 
 /// Which lines meet the ball, not all of it behind their origin: [`Approach::roots_if_met`].

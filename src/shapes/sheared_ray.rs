@@ -86,24 +86,30 @@ fn size_bits(x: f32) -> u32 {
     x.abs().to_bits()
 }
 
+/// The lanes whose direction is dominated by the first axis, and of the others those dominated by the second.
+#[inline(always)]
+fn lanes_by_first_axes<L: Lanes>(dir: &Lanes3<L>) -> [L::Mask; 2] {
+    let (x, y, z) = (dir[0].abs(), dir[1].abs(), dir[2].abs());
+    [y.le(x) & z.le(x), z.le(y)]
+}
+
 /// For each axis the lanes whose direction is dominated by it, as bits; those above the last lane are
 /// of no meaning.
 #[inline(always)]
 fn lanes_by_dominant_axis<L: Lanes>(dir: Lanes3<L>) -> [u32; 3] {
-    let (x, y, z) = (dir[0].abs(), dir[1].abs(), dir[2].abs());
-    let of_x = (y.le(x) & z.le(x)).bits();
-    let of_y = !of_x & z.le(y).bits();
+    let [of_x, of_y] = lanes_by_first_axes(&dir);
+    let (of_x, of_y) = (of_x.bits(), !of_x.bits() & of_y.bits());
     [of_x, of_y, !(of_x | of_y)]
 }
 
-/// Three rows, one an axis of space, in the order of each lane, by the lanes of two dominant axes. Without a branch: of
-/// eight rays each axis is mostly that of some, so there is nothing to foresee.
+/// Three rows, one an axis of space, in the order of each lane, by [`lanes_by_first_axes`]. Without a branch: of eight
+/// rays each axis is mostly that of some, so there is nothing to foresee.
 #[inline(always)]
-fn arranged<L: Lanes>(&[x, y, z]: &Lanes3<L>, [of_x, of_y]: [u32; 2]) -> Lanes3<L> {
+fn arranged<L: Lanes>(&[x, y, z]: &Lanes3<L>, [of_x, of_y]: [L::Mask; 2]) -> Lanes3<L> {
     [
-        y.select(of_x, z.select(of_y, x)),
-        z.select(of_x, x.select(of_y, y)),
-        x.select(of_x, y.select(of_y, z)),
+        y.select_where(of_x, z.select_where(of_y, x)),
+        z.select_where(of_x, x.select_where(of_y, y)),
+        x.select_where(of_x, y.select_where(of_y, z)),
     ]
 }
 
@@ -182,15 +188,15 @@ impl TriangleRay {
         inv_dir: &Lanes3<S::F8>,
         rays: &mut [Self; PACK],
     ) {
-        let [of_x, of_y, _] = lanes_by_dominant_axis(*dir);
-        let [_, _, along] = arranged(inv_dir, [of_x, of_y]);
-        let (origin, dir) = (arranged(origin, [of_x, of_y]), arranged(dir, [of_x, of_y]));
+        let by_axis @ [of_x, of_y] = lanes_by_first_axes(dir);
+        let [_, _, along] = arranged(inv_dir, by_axis);
+        let (origin, dir) = (arranged(origin, by_axis), arranged(dir, by_axis));
         let sheared = ShearedRay::new(origin, dir, along);
         let ShearedRay { origin: [x, y, z], slopes: [p, q], along: [a, b] } = sheared;
         let word = |dominant: usize| f32::from_bits(DOMINANT[dominant].word());
         let [by_x, by_y, by_z] = [word(0), word(1), word(2)];
-        let axes =
-            S::F8::splat(by_x).select(of_x, S::F8::splat(by_y).select(of_y, S::F8::splat(by_z)));
+        let axes = S::F8::splat(by_x)
+            .select_where(of_x, S::F8::splat(by_y).select_where(of_y, S::F8::splat(by_z)));
         let records = S::transpose_eight([x, y, z, p, q, a, b, axes]);
         for i in 0..PACK {
             records[i].store(&mut rays[i].values);

@@ -78,9 +78,8 @@ impl<R: Lanes> Lanes for Pair<R> {
         PairMask(self.0.lt(other.0), self.1.lt(other.1))
     }
     #[inline(always)]
-    fn select(self, mask: u32, other: Self) -> Self {
-        let upper = mask >> R::Mask::LANES;
-        Self(self.0.select(mask, other.0), self.1.select(upper, other.1))
+    fn select_where(self, mask: Self::Mask, other: Self) -> Self {
+        Self(self.0.select_where(mask.0, other.0), self.1.select_where(mask.1, other.1))
     }
 
     const FEW_REGISTERS: bool = R::FEW_REGISTERS;
@@ -133,6 +132,10 @@ impl<M: Mask> Mask for PairMask<M> {
     #[inline(always)]
     fn bits(self) -> u32 {
         self.0.bits() | self.1.bits() << M::LANES
+    }
+    #[inline(always)]
+    fn of_bits(bits: u32) -> Self {
+        Self(M::of_bits(bits), M::of_bits(bits >> M::LANES))
     }
 }
 

@@ -140,6 +140,48 @@ mod tests {
         }
     }
 
+    struct Choose([f32; 32], u32);
+
+    impl Kernel for Choose {
+        type Output = (u32, [Vec<f32>; 2]);
+
+        #[inline(always)]
+        fn run<S: Simd>(self) -> Self::Output {
+            S::in_packets(self)
+        }
+    }
+
+    impl PacketKernel for Choose {
+        type Output = (u32, [Vec<f32>; 2]);
+
+        #[inline(always)]
+        fn run<S: Simd, R: Row<N>, const N: usize>(self) -> Self::Output {
+            let values = R::load(self.0.first_chunk().expect("no packet is larger"));
+            let (of_bits, half) = (R::Mask::of_bits(self.1), R::splat(0.5));
+            let [mut by_bits, mut by_comparison] = [[0.0; N]; 2];
+            values.select(self.1, half).store(&mut by_bits);
+            values.select_where(values.lt(half), half).store(&mut by_comparison);
+            (of_bits.bits(), [by_bits.to_vec(), by_comparison.to_vec()])
+        }
+    }
+
+    #[test]
+    fn lanes_are_chosen_by_bits_and_by_comparisons() {
+        let mut random = Random::new(&[21]);
+        for _ in 0..1000 {
+            let values: [f32; 32] = std::array::from_fn(|_| random.next_f32());
+            let bits = random.below(u32::MAX);
+            let (again, [by_bits, by_comparison]) = dispatch(Choose(values, bits));
+            let lanes = by_bits.len();
+            assert_eq!(again, bits & u32::MAX >> (32 - lanes));
+            for lane in 0..lanes {
+                let chosen = if bits >> lane & 1 != 0 { values[lane] } else { 0.5 };
+                assert_eq!(by_bits[lane], chosen);
+                assert_eq!(by_comparison[lane], values[lane].min(0.5));
+            }
+        }
+    }
+
     /// A formula with a mask.
     struct Quotient(f32);
 

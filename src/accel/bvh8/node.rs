@@ -2,7 +2,7 @@
 
 use glam::Vec3A;
 
-use crate::math::{Aabb, Lanes as _, Lanes3, Mask as _};
+use crate::math::{Aabb, Lanes as _, Lanes3};
 use crate::simd::{Kernel, Row, Simd, dispatch};
 
 /// Children of a node.
@@ -263,7 +263,7 @@ impl Node {
                     + S::F8::splat(center.y) * signs[1]
                     + S::F8::splat(center.z) * signs[2];
                 // What is no number, of a box that is not finite, would have no place.
-                *along = sum.select(sum.le(sum).bits(), zero);
+                *along = sum.select_where(sum.le(sum), zero);
             }
         }
         // A child's place is the number of those that come before it: the farther ones, and of those
@@ -272,9 +272,9 @@ impl Node {
         let mut places = [S::F8::splat(8_388_608.0); WIDTH];
         for late in 1..WIDTH {
             for early in 0..late {
-                let farther = along[early].lt(along[late]).bits();
-                places[early] = places[early] + one.select(farther, zero);
-                places[late] = places[late] + zero.select(farther, one);
+                let farther = along[early].lt(along[late]);
+                places[early] = places[early] + one.select_where(farther, zero);
+                places[late] = places[late] + zero.select_where(farther, one);
             }
         }
         let mut orders = [0; WIDTH];

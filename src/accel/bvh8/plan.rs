@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use obvhs::bvh2::Bvh2;
 use smallvec::SmallVec;
 
-use crate::math::{Lanes as _, Mask as _};
+use crate::math::Lanes as _;
 use crate::simd::{Kernel, Row as _, Simd, dispatch};
 
 use super::meeting::Meeting;
@@ -247,10 +247,10 @@ fn cheapest<S: Simd>(
     for share in 1..WIDTH {
         let right = padded[WIDTH - share..].first_chunk().expect("as many lanes are padded");
         let sum = S::F8::splat(left[share - 1]) + S::F8::load(right);
-        let better = sum.lt(least).bits();
-        least = sum.select(better, least);
+        let better = sum.lt(least);
+        least = sum.select_where(better, least);
         // Bits alone: nothing is computed with them.
-        chosen = S::F8::splat(f32::from_bits(share as u32)).select(better, chosen);
+        chosen = S::F8::splat(f32::from_bits(share as u32)).select_where(better, chosen);
     }
     let (mut cost, mut shares) = ([0.0; WIDTH], [0.0; WIDTH]);
     least.store(&mut cost);

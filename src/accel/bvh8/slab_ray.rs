@@ -141,10 +141,21 @@ impl<L: Lanes> SlabTerms<L> {
     /// direction.
     #[inline(always)]
     pub(super) fn offsets<S: Simd>(&self, product: L) -> (L, L) {
+        self.offsets_with::<S>(Self::slack(product))
+    }
+
+    /// By how much the fused form may be off: `product` is the reach times the inverse direction.
+    #[inline(always)]
+    pub(super) fn slack(product: L) -> L {
+        product * L::splat(SLACK) + L::splat(f32::MIN_POSITIVE)
+    }
+
+    /// [`offsets`](Self::offsets) with a slack that is known.
+    #[inline(always)]
+    pub(super) fn offsets_with<S: Simd>(&self, slack: L) -> (L, L) {
         if !S::FUSES {
             return (self.near, self.far);
         }
-        let slack = product * L::splat(SLACK) + L::splat(f32::MIN_POSITIVE);
         (self.near * self.inv_dir + slack, self.far * self.inv_dir - slack)
     }
 

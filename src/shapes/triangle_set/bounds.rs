@@ -6,7 +6,7 @@ use glam::Vec3A;
 use rayon::prelude::*;
 
 use crate::accel::Packs as _;
-use crate::math::{Aabb, Lanes as _, Lanes3, Mask as _};
+use crate::math::{Aabb, Lanes as _, Lanes3};
 use crate::simd::{Kernel, Row as _, Simd, dispatch, splat3};
 
 use super::TriangleSet;
@@ -41,10 +41,10 @@ impl Kernel for BoundsOf<'_> {
         for pack in self.packs {
             let [low, high] = self.set.boxes::<S>(pack);
             // Empty lanes are NaN.
-            let present = low[0].le(low[0]).bits();
+            let present = low[0].le(low[0]);
             for axis in 0..3 {
-                all[0][axis] = all[0][axis].min(low[axis]).select(present, all[0][axis]);
-                all[1][axis] = all[1][axis].max(high[axis]).select(present, all[1][axis]);
+                all[0][axis] = all[0][axis].min(low[axis]).select_where(present, all[0][axis]);
+                all[1][axis] = all[1][axis].max(high[axis]).select_where(present, all[1][axis]);
             }
         }
         let [low, high] = all;

@@ -62,10 +62,18 @@ impl Mask for Signs {
     fn bits(self) -> u32 {
         op!(sign_bits(self.0))
     }
+    #[inline(always)]
+    fn of_bits(bits: u32) -> Self {
+        op!({
+            let of_lanes = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+            let bits = _mm256_and_si256(_mm256_set1_epi32(bits as i32), of_lanes);
+            Self(_mm256_castsi256_ps(_mm256_cmpeq_epi32(bits, of_lanes)))
+        })
+    }
 }
 
 macro_rules! bits {
-    ($mask:ident, $lanes:literal) => {
+    ($mask:ident, $bits:ident, $lanes:literal) => {
         impl BitAnd for $mask {
             type Output = Self;
             #[inline(always)]
@@ -88,9 +96,13 @@ macro_rules! bits {
             fn bits(self) -> u32 {
                 u32::from(self.0)
             }
+            #[inline(always)]
+            fn of_bits(bits: u32) -> Self {
+                Self(bits as $bits)
+            }
         }
     };
 }
 
-bits!(EightBits, 8);
-bits!(SixteenBits, 16);
+bits!(EightBits, __mmask8, 8);
+bits!(SixteenBits, __mmask16, 16);

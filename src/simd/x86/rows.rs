@@ -59,7 +59,7 @@ arithmetic!(Sixteen, _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps)
 
 macro_rules! lanes {
     (
-        $row:ident, $mask:ident, $compare:ident, $select:ident, few registers: $few:literal,
+        $row:ident, $mask:ident, $compare:ident, $blend:ident, few registers: $few:literal,
         [$set:ident, $and:ident, $andnot:ident, $xor:ident, $sqrt:ident, $min:ident, $max:ident]
     ) => {
         impl Lanes for $row {
@@ -99,43 +99,33 @@ macro_rules! lanes {
                 $mask(op!($compare::<_CMP_LT_OQ>(self.0, other.0)))
             }
             #[inline(always)]
-            fn select(self, mask: u32, other: Self) -> Self {
-                Self($select(mask, self.0, other.0))
+            fn select_where(self, mask: $mask, other: Self) -> Self {
+                Self($blend(mask, self.0, other.0))
             }
         }
     };
 }
 
-/// All bits of the lanes that have a one in the mask.
 #[inline(always)]
-fn widened(mask: u32) -> __m256 {
-    op!({
-        let bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-        let of_lane = _mm256_and_si256(_mm256_set1_epi32(mask as i32), bits);
-        _mm256_castsi256_ps(_mm256_cmpeq_epi32(of_lane, bits))
-    })
+fn blend_by_signs(mask: Signs, a: __m256, b: __m256) -> __m256 {
+    op!(_mm256_blendv_ps(b, a, mask.0))
 }
 
 #[inline(always)]
-fn select_by_signs(mask: u32, a: __m256, b: __m256) -> __m256 {
-    op!(_mm256_blendv_ps(b, a, widened(mask)))
+fn blend_by_mask(mask: EightBits, a: __m256, b: __m256) -> __m256 {
+    op!(_mm256_mask_mov_ps(b, mask.0, a))
 }
 
 #[inline(always)]
-fn select_by_mask(mask: u32, a: __m256, b: __m256) -> __m256 {
-    op!(_mm256_mask_mov_ps(b, mask as u8, a))
-}
-
-#[inline(always)]
-fn select_sixteen(mask: u32, a: __m512, b: __m512) -> __m512 {
-    op!(_mm512_mask_mov_ps(b, mask as u16, a))
+fn blend_sixteen(mask: SixteenBits, a: __m512, b: __m512) -> __m512 {
+    op!(_mm512_mask_mov_ps(b, mask.0, a))
 }
 
 lanes!(
     Eight,
     Signs,
     _mm256_cmp_ps,
-    select_by_signs,
+    blend_by_signs,
     few registers: true,
     [
         _mm256_set1_ps,
@@ -151,7 +141,7 @@ lanes!(
     MaskedEight,
     EightBits,
     _mm256_cmp_ps_mask,
-    select_by_mask,
+    blend_by_mask,
     few registers: false,
     [
         _mm256_set1_ps,
@@ -167,7 +157,7 @@ lanes!(
     Sixteen,
     SixteenBits,
     _mm512_cmp_ps_mask,
-    select_sixteen,
+    blend_sixteen,
     few registers: false,
     [
         _mm512_set1_ps,

@@ -79,13 +79,6 @@ impl<'a> List<'a> {
         self.length += usize::from(belongs);
     }
 
-    /// Appends a ray.
-    #[inline(always)]
-    pub(super) fn append(&mut self, slot: u32, next: Child) {
-        self.set_next(self.length, next);
-        self.append_if(slot, true);
-    }
-
     /// Takes the last `count` slots, at least one and at most eight; the last of them comes again in the places behind.
     #[inline(always)]
     pub(super) fn take_last(&mut self, count: usize) -> [u32; PACK] {
@@ -205,6 +198,11 @@ mod tests {
     /// Stands in another list before.
     const OTHER: (u32, Child) = (99, Child::ROOT);
 
+    fn append(list: &mut List<'_>, (slot, next): (u32, Child)) {
+        list.set_next(list.length, next);
+        list.append_if(slot, true);
+    }
+
     impl Kernel for Send<'_> {
         type Output = Sent;
 
@@ -215,10 +213,10 @@ mod tests {
             let (mut from, mut nodes) = (List::new(a), List::new(b));
             let (mut leaves, mut done) = (List::new(c), List::new(d));
             for &(slot, next) in self.rays {
-                from.append(slot, next);
+                append(&mut from, (slot, next));
             }
-            nodes.append(OTHER.0, OTHER.1);
-            leaves.append(OTHER.0, OTHER.1);
+            append(&mut nodes, OTHER);
+            append(&mut leaves, OTHER);
             match self.way {
                 0 => from.empty::<S>(&mut nodes, &mut leaves, &mut done),
                 1 => from.keep_nodes::<S>(&mut leaves, &mut done),

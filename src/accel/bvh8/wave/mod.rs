@@ -5,22 +5,28 @@
 //! closest hit, or done. A phase goes through its list, does the same work for each ray, and notes what
 //! the ray has on top of its stack then; eight at a time, the rays go to the lists that they belong to
 //! (`list.rs`). The rays of a phase do not depend on each other, so the processor works on several at once. The root
-//! is met before, by eight rays together, and those that pass by its children never take a slot (`root.rs`).
+//! is met before, by eight rays together (`root.rs`); those that pass by its children never take a slot, and the others
+//! wait until they are eight again (`waiting.rs`).
 
+mod columns;
+mod entrance;
 mod incoming;
 mod list;
 mod root;
 mod slot;
+mod waiting;
 
 use crate::accel::{PACK, Packs, Primitives, Query, Search, search_one};
 use crate::counters::Counters;
-use crate::math::{BoxRay, Hit, NONE, Ray, ones};
+use crate::math::{BoxRay, NONE, Ray};
 use crate::simd::{Cache, Simd};
 
-use self::incoming::{Eight, Incoming, Terms};
+use self::entrance::Entrance;
+use self::incoming::{Arrival, Incoming};
 use self::list::{List, Places};
 use self::root::Root;
 use self::slot::Slot;
+use self::waiting::{Ready, Waiting};
 use super::candidates::Candidates;
 use super::diverged::Diverged;
 use super::node::Child;
@@ -36,6 +42,7 @@ pub(super) struct Memory<R> {
     formulas: [R; PACK],
     candidates: [Candidates; RAYS],
     lists: [Places; 4],
+    waiting: Waiting,
 }
 
 impl<R: Copy + Default> Default for Memory<R> {
@@ -45,6 +52,7 @@ impl<R: Copy + Default> Default for Memory<R> {
             formulas: [R::default(); PACK],
             candidates: [Candidates::NONE; RAYS],
             lists: [const { Places::new() }; 4],
+            waiting: Waiting::NONE,
         }
     }
 }
@@ -63,10 +71,10 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
     let any = const { matches!(Q::SEARCH, Search::First) };
     let tree = &task.tree.nodes[..];
     let Some(root) = tree.first().map(Root::new) else { return };
-    let Memory { slots, formulas, candidates, lists: [a, b, c, d] } = memory;
+    let Memory { slots, formulas, candidates, lists: [a, b, c, d], waiting } = memory;
     let (mut nodes, mut leaves) = (List::new(a), List::new(b));
     let (mut improved, mut done) = (List::new(c), List::new(d));
-    let mut incoming = Incoming::new(which, diverged);
+    let mut entrance = Entrance::new(Incoming::new(which, diverged), root, waiting);
     for (id, slot) in slots.iter_mut().enumerate().take(task.wave.in_flight) {
         slot.ray = NONE;
         done.append_if(id as u32, true);
@@ -74,63 +82,38 @@ pub(super) fn search<S: Simd, P: Primitives, Q: Query, C: Counters>(
     loop {
         // As long as rays are in flight, those that come next wait until eight slots are free.
         while done.length >= PACK {
-            let Some(eight) = incoming.next_eight() else { break };
-            let ids = done.take_last(eight.count);
-            let Eight { index, count, .. } = eight;
-            incoming.prefetch_ahead(&eight, rays);
-            let (terms, columns) =
-                Terms::<S>::new::<P::Packs>(&index, rays, task.padding, formulas);
-            let all = (1 << count) - 1;
-            if terms.usual & all == all && incoming.are_fresh(&eight) {
-                if C::COUNTS {
-                    counters.boxes((count * root.children) as u32);
-                }
-                // Which ones miss cannot be foreseen: all do, until those that take a slot are answered from it.
-                for &ray in &index {
-                    let ray = ray as usize;
-                    answers[ray] = task.query.of_one(&rays[ray], &Hit::MISS);
-                }
-                let entered = root.enter::<S>(&columns);
-                let (mut used, mut next, mut taken) = ([0; PACK], [Child::ABSENT.0; PACK], 0);
-                for lane in ones(entered.any & all) {
-                    // From the last on: those that are left stay where they are in the list.
-                    let id = ids[(count - 1 - taken) % PACK];
-                    let slot = &mut slots[id as usize % RAYS];
-                    answer::<P, Q>(slot, task, rays, answers);
-                    terms.begin(lane, slot, formulas, &index);
-                    let first = slot.enter_root::<S>(root.node, entered.begins[lane % PACK], any);
-                    (used[taken % PACK], next[taken % PACK]) = (id, first.0);
-                    taken += 1;
-                }
-                List::send_eight::<S>((&used, &next), taken, &mut nodes, &mut leaves);
-                done.length += count - taken;
-                continue;
-            }
-            for &id in &ids[..count] {
-                answer::<P, Q>(&slots[id as usize % RAYS], task, rays, answers);
-            }
-            for (lane, &id) in ids.iter().enumerate() {
-                terms.begin(lane, &mut slots[id as usize % RAYS], formulas, &index);
-            }
-            for (lane, &id) in ids[..count].iter().enumerate() {
-                let slot = &mut slots[id as usize % RAYS];
-                if terms.usual >> lane & 1 == 0
-                    && !take_cut::<S, P, Q, C>(task, slot, rays, counters, answers)
-                {
-                    done.append_if(id, true);
-                    continue;
-                }
-                let next = match incoming.diverged(&eight, lane) {
-                    Some(ray) => slot.go_on(ray, diverged.entries(ray)),
-                    None => Child::ROOT,
+            let ready = entrance.next::<S, P, Q, C>(task, rays, answers, counters);
+            let Some(Ready { columns, begins, numbers, count }) = ready else { break };
+            let ids = done.take_last(count);
+            let terms = columns.terms();
+            P::Packs::eight_rays::<S>(&columns.origin, &columns.dir, &columns.inv_dir, formulas);
+            let begins = S::transpose_eight(begins);
+            let mut next = [Child::ABSENT; PACK];
+            for lane in 0..count {
+                let slot = &mut slots[ids[lane] as usize % RAYS];
+                answer::<P, Q>(slot, task, rays, answers);
+                next[lane] = match entrance.incoming.arrival(numbers[lane]) {
+                    Arrival::AtRoot(ray) => {
+                        terms.begin(lane, slot, formulas, ray);
+                        slot.enter_root::<S>(entrance.root.node, begins[lane], any)
+                    }
+                    Arrival::Elsewhere { ray, begun, is_usual } => {
+                        terms.begin(lane, slot, formulas, ray);
+                        if !is_usual && !take_cut::<S, P, Q, C>(task, slot, rays, counters, answers)
+                        {
+                            done.append_if(ids[lane], true);
+                            continue;
+                        }
+                        // None is done: those that have nothing to visit do not come.
+                        match begun {
+                            Some(ray) => slot.go_on(ray, diverged.entries(ray)),
+                            None => Child::ROOT,
+                        }
+                    }
                 };
-                // None is done: those that have nothing to visit do not come.
-                if next.is_leaf() {
-                    leaves.append(id, next);
-                } else {
-                    nodes.append(id, next);
-                }
             }
+            let next = next.map(|child| child.0);
+            List::send_eight::<S>((&ids, &next), count, &mut nodes, &mut leaves);
         }
         if nodes.length + leaves.length == 0 {
             break;

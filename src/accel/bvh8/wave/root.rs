@@ -6,6 +6,7 @@ use crate::math::{Lanes as _, Lanes3, Mask as _};
 use crate::simd::{Row as _, Simd, splat3};
 
 use super::super::node::Node;
+use super::columns::Columns;
 
 /// The root of a tree.
 pub(super) struct Root<'a> {
@@ -14,20 +15,9 @@ pub(super) struct Root<'a> {
     pub(super) children: usize,
 }
 
-/// What the slab test needs of eight rays, by axis.
-pub(super) struct Columns<S: Simd> {
-    pub(super) inv_dir: Lanes3<S::F8>,
-    /// What the smaller planes are measured from: near ones for rays that run forwards, far ones for others.
-    pub(super) low: Lanes3<S::F8>,
-    /// What the larger planes are measured from.
-    pub(super) high: Lanes3<S::F8>,
-    /// The beginning and the end of the search.
-    pub(super) searched: [S::F8; 2],
-}
-
 /// What eight rays enter of the root's children.
 pub(super) struct Entered<S: Simd> {
-    /// For each ray where it enters them; infinite where it does not.
+    /// For each child where the rays enter it; infinite where they do not.
     pub(super) begins: [S::F8; PACK],
     /// A bit for each ray that enters any.
     pub(super) any: u32,
@@ -43,7 +33,7 @@ impl<'a> Root<'a> {
     #[inline(always)]
     pub(super) fn enter<S: Simd>(&self, rays: &Columns<S>) -> Entered<S> {
         let infinite = S::F8::splat(f32::INFINITY);
-        let Columns { inv_dir: [x, y, z], low, high, searched: [t_min, t_max] } = rays;
+        let Columns { inv_dir: [x, y, z], low, high, searched: [t_min, t_max], .. } = rays;
         let mut begins = [infinite; PACK];
         let mut any = 0;
         for (lane, of_child) in begins.iter_mut().enumerate().take(self.children) {
@@ -54,11 +44,11 @@ impl<'a> Root<'a> {
             let (e, f) = (S::F8::slab(min[2], *z, low[2]), S::F8::slab(max[2], *z, high[2]));
             let begin = a.min(b).max(c.min(d)).max(e.min(f).max(*t_min));
             let end = a.max(b).min(c.max(d)).min(e.max(f).min(*t_max));
-            let entered = begin.le(end).bits();
-            any |= entered;
-            *of_child = begin.select(entered, infinite);
+            let entered = begin.le(end);
+            any |= entered.bits();
+            *of_child = begin.select_where(entered, infinite);
         }
-        Entered { begins: S::transpose_eight(begins), any }
+        Entered { begins, any }
     }
 }
 
@@ -66,7 +56,6 @@ impl<'a> Root<'a> {
 mod tests {
     use glam::Vec3A;
 
-    use super::super::incoming::Terms;
     use super::*;
     use crate::accel::bvh8::node::{Child, near_planes};
     use crate::accel::bvh8::slab_ray::SlabRay;
@@ -86,13 +75,13 @@ mod tests {
         #[inline(always)]
         fn run<S: Simd>(self) -> Self::Output {
             let Self(node, rays) = self;
-            let (terms, columns, _) =
-                Terms::<S>::of_slabs(&[0, 1, 2, 3, 4, 5, 6, 7], rays, PADDING);
-            assert_eq!(terms.usual & 0xFF, 0xFF);
+            let (columns, usual) = Columns::<S>::new(&[0, 1, 2, 3, 4, 5, 6, 7], rays, PADDING);
+            assert_eq!(usual & 0xFF, 0xFF);
             let entered = Root::new(node).enter::<S>(&columns);
+            let begins = S::transpose_eight(entered.begins);
             let (mut together, mut alone) = ([[0.0; PACK]; PACK], [[0.0; PACK]; PACK]);
             for lane in 0..PACK {
-                entered.begins[lane].store(&mut together[lane]);
+                begins[lane].store(&mut together[lane]);
                 let ray = &rays[lane];
                 let slab = SlabRay::new::<S>(ray, &BoxRay::new(ray, PADDING), PADDING)
                     .expect("it moves along all axes");

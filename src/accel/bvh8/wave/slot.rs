@@ -21,7 +21,7 @@ const ENTRIES: usize = 3;
 const ORDER: usize = 7;
 
 /// A ray in flight. What a visit of a node reads is in the first cache line, what a visit of a leaf
-/// reads in the next. The first two rows are written whole, as [`Incoming`](super::incoming) makes them.
+/// reads in the next. The first two rows are written whole, as [`Terms`](super::columns::Terms) has them.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(super) struct Slot<R> {
