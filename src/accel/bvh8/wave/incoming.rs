@@ -53,7 +53,8 @@ impl Eight {
     pub(super) fn numbers(&self, usual: u32) -> [u32; PACK] {
         let mut numbers = [0; PACK];
         for (lane, number) in numbers.iter_mut().enumerate() {
-            *number = (self.number + lane) as u32 | (!usual >> lane & 1) * UNUSUAL;
+            let mark = if usual >> lane & 1 == 0 { UNUSUAL } else { 0 };
+            *number = (self.number + lane) as u32 | mark;
         }
         numbers
     }
@@ -145,7 +146,7 @@ mod tests {
                     eight.index[eight.count..].iter().all(|&i| i == eight.index[eight.count - 1])
                 );
                 // Those whose places are multiples of three are not usual.
-                let is_usual = |ray: u32| ray % 3 != 0;
+                let is_usual = |ray: u32| !ray.is_multiple_of(3);
                 let usual =
                     (0..PACK).map(|i| u32::from(is_usual(eight.index[i])) << i).sum::<u32>();
                 for (lane, number) in eight.numbers(usual).into_iter().enumerate().take(eight.count)

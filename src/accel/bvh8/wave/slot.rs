@@ -1,5 +1,7 @@
 //! A ray in flight.
 
+use std::hint::select_unpredictable;
+
 use crate::accel::PACK;
 use crate::math::{Hit, Lanes as _, Lanes3, Mask as _, NONE};
 use crate::simd::{Row as _, Simd, splat3};
@@ -94,13 +96,15 @@ impl<R> Slot<R> {
         (self.prim, self.u, self.v, self.ray) = (Hit::MISS.prim, Hit::MISS.u, Hit::MISS.v, ray);
     }
 
-    /// The best hit. By arithmetic: whether there is one cannot be foreseen.
+    /// The best hit. Without a branch, which compilers make of arithmetic, too: whether there is one cannot be
+    /// foreseen.
     #[inline(always)]
     pub(super) fn hit(&self) -> Hit {
+        let is_hit = self.prim != NONE;
+        let t = select_unpredictable(is_hit, self.end(), Hit::MISS.t);
         // All bits, or none.
-        let is_miss = u32::from(self.prim != NONE).wrapping_sub(1);
-        let t = self.end().to_bits() & !is_miss | Hit::MISS.t.to_bits() & is_miss;
-        Hit { t: f32::from_bits(t), object: is_miss, prim: self.prim, u: self.u, v: self.v }
+        let object = u32::from(is_hit).wrapping_sub(1);
+        Hit { t, object, prim: self.prim, u: self.u, v: self.v }
     }
 
     /// Takes a hit that is no farther than the best one if it is the better one.
